@@ -1,0 +1,152 @@
+//! A circular edge.
+
+use crate::{Bounds, Point, Vector, cross, left_of, positive_angle, unit};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// A circular edge of at most one full turn.
+///
+/// `start` and `end` are kept as they were given, so that neighbouring edges share them bit for bit;
+/// centre and radius are derived in floating point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Centre of the circle.
+    pub center: Point,
+    /// Radius, millimetres, positive.
+    pub radius: f64,
+    /// Where it begins.
+    pub start: Point,
+    /// Where it ends.
+    pub end: Point,
+    /// Direction from the centre to the start, radians.
+    pub start_angle: f64,
+    /// Turned angle, radians, positive counter-clockwise, within [−2π, 2π].
+    pub sweep: f64,
+}
+
+impl Arc {
+    /// The arc from `start` to `end` with the given bulge, tan(sweep / 4), as in DXF LWPOLYLINE.
+    ///
+    /// `bulge` must not be 0 and `start` must differ from `end`.
+    #[must_use]
+    pub fn from_bulge(start: Point, end: Point, bulge: f64) -> Self {
+        debug_assert!(bulge != 0.0 && start != end, "a straight or empty edge has no centre");
+        let chord = end - start;
+        let middle = nalgebra::center(&start, &end);
+        let center = middle + left_of(chord) * ((1.0 - bulge * bulge) / (4.0 * bulge));
+        let radius = chord.norm() * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
+        let spoke = start - center;
+        Self { center, radius, start, end, start_angle: spoke.y.atan2(spoke.x), sweep: 4.0 * bulge.atan() }
+    }
+
+    /// The arc on a circle, from `start_angle` on over `sweep`.
+    #[must_use]
+    pub fn from_angles(center: Point, radius: f64, start_angle: f64, sweep: f64) -> Self {
+        let start = center + unit(start_angle) * radius;
+        let end =
+            if sweep.abs() >= TAU { start } else { center + unit(start_angle + sweep) * radius };
+        Self { center, radius, start, end, start_angle, sweep }
+    }
+
+    /// The arc between two points about a centre. Equal points and a sweep of one turn are a circle.
+    /// The radius is the mean of both distances.
+    #[must_use]
+    pub fn from_center(start: Point, end: Point, center: Point, sweep: f64) -> Self {
+        let spoke = start - center;
+        let radius = (spoke.norm() + (end - center).norm()) / 2.0;
+        Self { center, radius, start, end, start_angle: spoke.y.atan2(spoke.x), sweep }
+    }
+
+    /// Millimetres.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.radius * self.sweep.abs()
+    }
+
+    /// tan(sweep / 4): positive counter-clockwise.
+    #[must_use]
+    pub fn bulge(&self) -> f64 {
+        (self.sweep / 4.0).tan()
+    }
+
+    /// The point at `fraction` of the way, 0 at the start, 1 at the end.
+    #[must_use]
+    pub fn point_at(&self, fraction: f64) -> Point {
+        if fraction <= 0.0 {
+            self.start
+        } else if fraction >= 1.0 {
+            self.end
+        } else {
+            self.center + unit(self.start_angle + self.sweep * fraction) * self.radius
+        }
+    }
+
+    /// Unit direction of travel at `fraction` of the way.
+    #[must_use]
+    pub fn direction_at(&self, fraction: f64) -> Vector {
+        left_of(unit(self.start_angle + self.sweep * fraction)) * self.sweep.signum()
+    }
+
+    /// Whether the ray from the centre along `direction` meets the arc, ends included.
+    #[must_use]
+    pub fn spans(&self, direction: Vector) -> bool {
+        if self.sweep.abs() >= TAU {
+            return true;
+        }
+        let (from, to) = if self.sweep > 0.0 {
+            (self.start - self.center, self.end - self.center)
+        } else {
+            (self.end - self.center, self.start - self.center)
+        };
+        // Counter-clockwise from `from` to `to`, decided without angles.
+        if self.sweep.abs() <= std::f64::consts::PI {
+            cross(from, direction) >= 0.0
+                && cross(direction, to) >= 0.0
+                && (from + to).dot(&direction) >= -1e-9 * self.radius * direction.norm()
+        } else {
+            !(cross(to, direction) > 0.0 && cross(direction, from) > 0.0)
+        }
+    }
+
+    /// The point of the arc nearest to `p`; its start when `p` is the centre.
+    #[must_use]
+    pub fn nearest_point(&self, p: Point) -> Point {
+        let direction = p - self.center;
+        let distance = direction.norm();
+        if distance > 0.0 && self.spans(direction) {
+            return self.center + direction * (self.radius / distance);
+        }
+        if (p - self.start).norm_squared() <= (p - self.end).norm_squared() { self.start } else { self.end }
+    }
+
+    /// Distance from `p` to the nearest point of the arc.
+    #[must_use]
+    pub fn distance_to_point(&self, p: Point) -> f64 {
+        let direction = p - self.center;
+        if self.spans(direction) {
+            return (direction.norm() - self.radius).abs();
+        }
+        (p - self.start).norm().min((p - self.end).norm())
+    }
+
+    /// The same way, run from end to start.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self {
+            start: self.end,
+            end: self.start,
+            start_angle: positive_angle(self.start_angle + self.sweep),
+            sweep: -self.sweep,
+            ..*self
+        }
+    }
+
+    /// Bounding box.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let ends = Bounds::of([self.start, self.end]);
+        (0..4)
+            .map(|quarter| unit(f64::from(quarter) * FRAC_PI_2))
+            .filter(|&direction| self.spans(direction))
+            .fold(ends, |bounds, direction| bounds.with(self.center + direction * self.radius))
+    }
+}

@@ -1,0 +1,34 @@
+//! The plane as Traverse sees it: points, edges (straight and circular), rings, polygons, paths and scenes.
+//!
+//! Right-handed, seen from above: x to the right, y up, angles and bulges positive counter-clockwise. Lengths are
+//! millimetres, angles radians. No I/O, no clock, no wire types.
+
+mod arc;
+mod bounds;
+mod edge;
+mod edge_distance;
+mod finding;
+mod orientation;
+mod path;
+mod point;
+mod polygon;
+mod ring;
+mod scene;
+mod segment;
+mod tolerance;
+
+pub use arc::Arc;
+pub use bounds::Bounds;
+pub use edge::Edge;
+pub use finding::{Finding, Reason};
+pub use orientation::{Orientation, orientation};
+pub use path::{Path, PathArc, PathStep};
+pub use point::{Point, Vector, cross, left_of, positive_angle, unit};
+pub use polygon::Polygon;
+pub use ring::Ring;
+pub use scene::{CornerStyle, MITER_RATIO_LIMIT, Obstacle, Scene};
+pub use segment::Segment;
+pub use tolerance::{
+    ARC_RADIUS_RATIO, CONTACT_TOLERANCE_MM, COORDINATE_LIMIT_MM, FLAT_ARC_MM, LARGEST_CLEARANCE_MM,
+    RADIUS_LIMIT_MM, SMALLEST_CLEARANCE_MM,
+};

@@ -1,0 +1,110 @@
+//! The question and the answer of a rapid move.
+
+use traverse_geometry::{Path, Point, Scene};
+use traverse_solve::{Budget, Interrupt, Observer};
+
+/// One rapid move to plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RapidMove {
+    /// Where the tool's centre is.
+    pub start: Point,
+    /// Where it has to go.
+    pub target: Point,
+    /// By which method.
+    pub algorithm: Algorithm,
+}
+
+/// How a rapid move is planned.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Algorithm {
+    /// The shortest path, proven.
+    #[default]
+    Exact,
+    /// The supporting-line scan published in 2008: one obstacle, mitred, both ends outside its convex hull.
+    SupportingLines,
+}
+
+/// What came of a rapid move.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// A path.
+    Plan(RapidPlan),
+    /// Proven: there is none.
+    NoPath(NoPath),
+}
+
+/// A collision-free path and how good it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RapidPlan {
+    /// The way.
+    pub path: Path,
+    /// Its length, millimetres.
+    pub cost: f64,
+    /// No collision-free path costs less. Equal to `cost` when proven.
+    pub lower_bound: f64,
+    /// The clearance that was used, millimetres.
+    pub clearance_mm: f64,
+    /// Ids of the obstacles that bend the path, in path order; `work_area` where its border does.
+    pub bending_obstacles: Vec<String>,
+    /// The published scan's clockwise and counter-clockwise candidates, best first; empty otherwise.
+    pub alternatives: Vec<Path>,
+}
+
+/// Why no collision-free path exists.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoPath {
+    /// Ids of obstacles whose barriers, with the work area's border, part start from target: none can be left out.
+    pub separating_obstacles: Vec<String>,
+}
+
+/// What planning took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Corners and arcs of the barriers that the search looked at.
+    pub barrier_vertices: u64,
+    /// Nodes that the search expanded.
+    pub expanded_nodes: u64,
+}
+
+/// Why a rapid move that is well formed can't be planned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Refusal {
+    /// Start or target lies inside a barrier.
+    #[error("{field} lies {depth_mm} mm inside the barrier of {obstacle}: move it out or lower the clearance")]
+    EndInsideBarrier {
+        /// `start` or `target`.
+        field: &'static str,
+        /// The obstacle's id, or `work_area`.
+        obstacle: String,
+        /// How far inside, millimetres.
+        depth_mm: f64,
+    },
+    /// The published scan does not cover the request.
+    #[error("the published supporting-line scan does not cover this request: {why}; use the exact algorithm")]
+    PublishedMethodNotApplicable {
+        /// What it does not cover.
+        why: &'static str,
+    },
+    /// The budget ended first.
+    #[error("stopped before a path was proven shortest")]
+    Interrupted {
+        /// Why.
+        interrupt: Interrupt,
+        /// What is known: no path costs less.
+        lower_bound: f64,
+    },
+}
+
+/// Plans one rapid move.
+///
+/// # Errors
+/// See [`Refusal`]; every end that lies inside a barrier is named, one refusal each.
+pub fn plan_rapid_move(
+    scene: &Scene,
+    query: &RapidMove,
+    budget: &Budget,
+    observer: &mut dyn Observer,
+) -> Result<(Answer, Stats), Vec<Refusal>> {
+    let _ = (scene, query, budget, observer);
+    Err(vec![])
+}
