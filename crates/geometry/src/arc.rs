@@ -42,8 +42,7 @@ impl Arc {
     #[must_use]
     pub fn from_angles(center: Point, radius: f64, start_angle: f64, sweep: f64) -> Self {
         let start = center + unit(start_angle) * radius;
-        let end =
-            if sweep.abs() >= TAU { start } else { center + unit(start_angle + sweep) * radius };
+        let end = if sweep.abs() >= TAU { start } else { center + unit(start_angle + sweep) * radius };
         Self { center, radius, start, end, start_angle, sweep }
     }
 
@@ -86,10 +85,19 @@ impl Arc {
         left_of(unit(self.start_angle + self.sweep * fraction)) * self.sweep.signum()
     }
 
-    /// Whether the ray from the centre along `direction` meets the arc, ends included.
+    /// How far the circle that is computed here may lie from the one that its ends and bulge define, millimetres:
+    /// some 1e-9 for ordinary arcs, 1e-7 at [`crate::RADIUS_LIMIT_MM`].
+    #[must_use]
+    pub fn rounding_mm(&self) -> f64 {
+        8.0 * f64::EPSILON * (self.center.x.abs() + self.center.y.abs() + self.radius)
+    }
+
+    /// Whether the ray from the centre along `direction` meets the arc, ends included: the directions to `start` and
+    /// `end` are always met. So is the direction 0.
     #[must_use]
     pub fn spans(&self, direction: Vector) -> bool {
-        if self.sweep.abs() >= TAU {
+        let turn = self.sweep.abs();
+        if turn >= TAU {
             return true;
         }
         let (from, to) = if self.sweep > 0.0 {
@@ -97,13 +105,22 @@ impl Arc {
         } else {
             (self.end - self.center, self.start - self.center)
         };
-        // Counter-clockwise from `from` to `to`, decided without angles.
-        if self.sweep.abs() <= std::f64::consts::PI {
-            cross(from, direction) >= 0.0
-                && cross(direction, to) >= 0.0
-                && (from + to).dot(&direction) >= -1e-9 * self.radius * direction.norm()
+        // Counter-clockwise from `from` to `to`. On either side of the middle the arc takes less than half a turn,
+        // so one cross product decides there. The middle need only lie well within the arc.
+        let middle = if turn < FRAC_PI_2 {
+            from + to
+        } else if turn < 3.0 * FRAC_PI_2 {
+            -left_of(to - from)
         } else {
-            !(cross(to, direction) > 0.0 && cross(direction, from) > 0.0)
+            -(from + to)
+        };
+        if turn < FRAC_PI_2 && middle.dot(&direction) < 0.0 {
+            return false;
+        }
+        if cross(middle, direction) >= 0.0 {
+            cross(direction, to) >= 0.0
+        } else {
+            cross(from, direction) >= 0.0
         }
     }
 

@@ -44,7 +44,7 @@ fn segment_crosses_arc(segment: &Segment, arc: &Arc) -> bool {
     let to_center = arc.center - segment.start;
     let foot = to_center.dot(&along);
     let offset = to_center.dot(&left_of(along));
-    let half_square = arc.radius * arc.radius - offset * offset;
+    let half_square = (arc.radius - offset) * (arc.radius + offset);
     if half_square < 0.0 {
         return false;
     }
@@ -67,21 +67,26 @@ fn arc_arc(a: &Arc, b: &Arc) -> f64 {
             nearest = nearest.min(b.distance_to_point(a.center + direction * a.radius));
         }
     }
-    if nearest > 0.0 && circle_crossings(a, b, axis).iter().any(|&p| a.spans(p - a.center) && b.spans(p - b.center)) {
+    if nearest > 0.0
+        && circle_crossings(a, b, axis)
+            .into_iter()
+            .flatten()
+            .any(|p| a.spans(p - a.center) && b.spans(p - b.center))
+    {
         return 0.0;
     }
     nearest
 }
 
 /// Where both full circles cross, if they do.
-fn circle_crossings(a: &Arc, b: &Arc, axis: Vector) -> Vec<Point> {
+fn circle_crossings(a: &Arc, b: &Arc, axis: Vector) -> Option<[Point; 2]> {
     let distance = (b.center - a.center).norm();
-    let along = (distance * distance + a.radius * a.radius - b.radius * b.radius) / (2.0 * distance);
-    let half_square = a.radius * a.radius - along * along;
+    let along = (distance + (a.radius - b.radius) * (a.radius + b.radius) / distance) / 2.0;
+    let half_square = (a.radius - along) * (a.radius + along);
     if half_square < 0.0 {
-        return Vec::new();
+        return None;
     }
     let foot = a.center + axis * along;
     let half = left_of(axis) * half_square.sqrt();
-    vec![foot + half, foot - half]
+    Some([foot + half, foot - half])
 }

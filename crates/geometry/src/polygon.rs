@@ -18,14 +18,6 @@ impl Polygon {
         Self { outer, holes: Vec::new() }
     }
 
-    /// The region inside `outer`, less `holes`.
-    ///
-    /// # Errors
-    /// Everything that is wrong, at once.
-    pub fn new(outer: Ring, holes: Vec<Ring>) -> Result<Self, Vec<crate::Finding>> {
-        Ok(Self::trusted(outer, holes))
-    }
-
     /// A polygon from parts that are known to be valid.
     pub(crate) fn trusted(outer: Ring, holes: Vec<Ring>) -> Self {
         Self { outer, holes }

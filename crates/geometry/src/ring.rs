@@ -11,21 +11,15 @@ pub struct Ring {
     vertices: Vec<Point>,
     /// Empty when every edge is straight, otherwise one per vertex.
     bulges: Vec<f64>,
+    touches_itself: bool,
 }
 
 impl Ring {
-    /// A ring from parts that are known to be valid.
-    pub(crate) fn trusted(vertices: Vec<Point>, bulges: Vec<f64>) -> Self {
+    /// A ring from parts that are known to be valid; `touches_itself` as [`Ring::touches_itself`] says.
+    pub(crate) fn trusted(vertices: Vec<Point>, bulges: Vec<f64>, touches_itself: bool) -> Self {
         debug_assert!(bulges.is_empty() || bulges.len() == vertices.len());
-        Self { vertices, bulges }
-    }
-
-    /// A ring through `vertices`, edge `i` with `bulges[i]` (none: all straight).
-    ///
-    /// # Errors
-    /// Everything that is wrong, at once.
-    pub fn new(vertices: Vec<Point>, bulges: Vec<f64>) -> Result<Self, Vec<crate::Finding>> {
-        Ok(Self::trusted(vertices, bulges))
+        debug_assert!(vertices.len() >= if bulges.is_empty() { 3 } else { 2 });
+        Self { vertices, bulges, touches_itself }
     }
 
     /// The vertices, in order, the first not repeated.
@@ -74,24 +68,14 @@ impl Ring {
         self.edges().map(|edge| edge.length()).sum()
     }
 
-    /// The area enclosed, square millimetres: positive when the ring runs counter-clockwise.
-    /// Arcs exactly. Cost: linear.
+    /// The area enclosed, square millimetres: positive when the ring runs counter-clockwise, never 0.
+    /// Straight edges to twice the precision of `f64`, arcs to its rounding error. Cost: linear.
     #[must_use]
     pub fn signed_area(&self) -> f64 {
-        let origin = self.vertices[0];
-        self.edges()
-            .map(|edge| {
-                let (a, b) = (edge.start() - origin, edge.end() - origin);
-                let chord = crate::cross(a, b) / 2.0;
-                match edge {
-                    Edge::Segment(_) => chord,
-                    Edge::Arc(arc) => chord + arc.radius * arc.radius * (arc.sweep - arc.sweep.sin()) / 2.0,
-                }
-            })
-            .sum()
+        crate::area::signed_area(self.edges()).0
     }
 
-    /// Whether the ring runs counter-clockwise.
+    /// Whether the ring runs counter-clockwise. Cost: linear.
     #[must_use]
     pub fn is_counter_clockwise(&self) -> bool {
         self.signed_area() > 0.0
@@ -107,7 +91,15 @@ impl Ring {
         } else {
             (0..n).map(|i| -self.bulges[n - 1 - i]).collect()
         };
-        Self { vertices, bulges }
+        Self { vertices, bulges, touches_itself: self.touches_itself }
+    }
+
+    /// Whether any two edges touch that do not follow each other, or an edge turns back along the one before it
+    /// (an antenna or a slit of width 0). Straight edges exactly; arcs within [`crate::CONTACT_TOLERANCE_MM`], where
+    /// a cusp counts as turning back. Known since validation: costs nothing.
+    #[must_use]
+    pub fn touches_itself(&self) -> bool {
+        self.touches_itself
     }
 
     /// Bounding box.

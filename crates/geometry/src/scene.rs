@@ -48,6 +48,9 @@ pub enum CornerStyle {
 /// control point would lie infinitely far away.
 pub const MITER_RATIO_LIMIT: f64 = 1000.0;
 
+/// The id that stands for the work area's border where plans and findings name obstacles; no obstacle may carry it.
+pub const WORK_AREA_ID: &str = "work_area";
+
 impl Scene {
     /// The clearance that is kept from `obstacle`, millimetres.
     #[must_use]
@@ -64,7 +67,12 @@ impl Scene {
     /// Count of vertices of work area and obstacles.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
-        self.obstacles.iter().map(|obstacle| &obstacle.shape).chain(&self.work_area).map(Polygon::vertex_count).sum()
+        self.obstacles
+            .iter()
+            .map(|obstacle| &obstacle.shape)
+            .chain(&self.work_area)
+            .map(Polygon::vertex_count)
+            .sum()
     }
 
     /// Every ring of the scene: obstacles first, then the border.

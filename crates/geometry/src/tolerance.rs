@@ -25,3 +25,10 @@ pub const FLAT_ARC_MM: f64 = 1e-7;
 
 /// Most that the two radii of an arc step (centre to start, centre to end) may differ, as a share of the radius.
 pub const ARC_RADIUS_RATIO: f64 = 1e-9;
+
+/// Most findings that are listed for one ring, open chain or polygon; one more finding says how many follow.
+pub const FINDINGS_LIMIT: usize = 100;
+
+/// Most work that the search for crossings of one ring or polygon may take, counted in tests of two bounding boxes:
+/// a few seconds. Only input whose edges lie packed over each other by the hundred thousand comes near it.
+pub const CROSSING_WORK_LIMIT: u64 = 400_000_000;

@@ -1,7 +1,7 @@
 //! The question and the answer of a rapid move.
 
-use traverse_geometry::{Path, Point, Scene};
-use traverse_solve::{Budget, Interrupt, Observer};
+use traverse_geometry::{Path, Point};
+use traverse_solve::Interrupt;
 
 /// One rapid move to plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,18 +93,4 @@ pub enum Refusal {
         /// What is known: no path costs less.
         lower_bound: f64,
     },
-}
-
-/// Plans one rapid move.
-///
-/// # Errors
-/// See [`Refusal`]; every end that lies inside a barrier is named, one refusal each.
-pub fn plan_rapid_move(
-    scene: &Scene,
-    query: &RapidMove,
-    budget: &Budget,
-    observer: &mut dyn Observer,
-) -> Result<(Answer, Stats), Vec<Refusal>> {
-    let _ = (scene, query, budget, observer);
-    Err(vec![])
 }

@@ -1,0 +1,76 @@
+//! What a path does against its scene: field, reason, place, amount.
+
+use std::fmt;
+use traverse_geometry::Point;
+
+/// One thing that a path does against its request.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Violation {
+    /// Into the answer: `path.start`, `path.steps[7]`, `path.steps[7].end`, `path.steps[7].arc.center`.
+    pub field: String,
+    /// Why, for programs.
+    pub reason: ViolationReason,
+    /// What, where, by how much, for people. Lower case.
+    pub message: String,
+    /// By how much, millimetres unless the reason says otherwise. Never negative, never NaN.
+    pub amount: f64,
+    /// Where it is worst, if it has a place.
+    pub at: Option<Point>,
+    /// Id of the obstacle concerned, or [`crate::WORK_AREA_ID`].
+    pub obstacle: Option<String>,
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {} ({})", self.field, self.message, self.reason)
+    }
+}
+
+macro_rules! reasons {
+    ($($(#[$doc:meta])* $name:ident = $text:literal,)*) => {
+        /// Why a path is not sound. Closed: each has a section in docs/errors.md.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum ViolationReason { $($(#[$doc])* $name,)* }
+
+        impl ViolationReason {
+            /// Every reason, in the order of the documentation.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// The name on the wire, UPPER_SNAKE_CASE.
+            #[must_use]
+            pub fn as_str(self) -> &'static str {
+                match self { $(Self::$name => $text,)* }
+            }
+        }
+    };
+}
+
+reasons! {
+    /// The path does not begin at the start that was asked for. Amount: how far from it.
+    WrongStart = "WRONG_START",
+    /// The path does not end at the target that was asked for. Amount: how far from it.
+    WrongEnd = "WRONG_END",
+    /// A number of the path, of an end or the tolerance is not finite, or so large that a distance
+    /// overflows. Nothing else is checked. Amount: 0.
+    NotFinite = "NOT_FINITE",
+    /// An arc's centre is not equally far from both ends. Amount: the difference of the radii.
+    ArcRadiiDiffer = "ARC_RADII_DIFFER",
+    /// An arc's sweep is 0 or beyond one full turn. Amount, radians: how far beyond; 0 for a sweep of 0.
+    SweepOutOfRange = "SWEEP_OUT_OF_RANGE",
+    /// An arc's sweep does not lead from its start to its end. Amount: how far from the end.
+    SweepMissesEnd = "SWEEP_MISSES_END",
+    /// Nearer to an obstacle or to the border than the clearance asked for. Amount: how much too near.
+    TooClose = "TOO_CLOSE",
+    /// Inside an obstacle. Amount: how much too near; at clearance 0 how deep.
+    InsideObstacle = "INSIDE_OBSTACLE",
+    /// Outside the work area. Amount: how far outside, plus the border's clearance.
+    OutsideWorkArea = "OUTSIDE_WORK_AREA",
+    /// At clearance 0: passes between obstacles, or parts of one, that touch. Amount: 0.
+    BetweenTouchingObstacles = "BETWEEN_TOUCHING_OBSTACLES",
+}
+
+impl fmt::Display for ViolationReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}

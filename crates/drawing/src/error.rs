@@ -1,0 +1,76 @@
+//! Why a drawing can't be read at all.
+
+/// Why a drawing can't be read at all. What can be read but not used is no error: see [`crate::Unused`].
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The reader itself failed.
+    #[error("the drawing can't be read: {message}; check the path and its permissions")]
+    Io {
+        /// What the system says.
+        message: String,
+    },
+    /// Longer than [`crate::ReadOptions::byte_limit`].
+    #[error("the drawing is longer than {limit} bytes; raise the limit or split the drawing")]
+    TooLong {
+        /// The limit, bytes.
+        limit: u64,
+    },
+    /// Nothing in it.
+    #[error("the drawing is empty; export it again")]
+    Empty,
+    /// Not a DXF file.
+    #[error("this is not a DXF file but {found}; export the drawing as DXF (ASCII or binary)")]
+    NotDxf {
+        /// What it looks like.
+        found: &'static str,
+    },
+    /// The end of the file is missing.
+    #[error("the file ends at line {line} without 0/EOF, so part of it is missing; export or copy it again")]
+    Truncated {
+        /// The last line, counted from 1; 0 for a binary file.
+        line: usize,
+    },
+    /// The text is not what DXF prescribes at this place.
+    #[error("line {line}: {message}; export the drawing again")]
+    Malformed {
+        /// Counted from 1.
+        line: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// A coordinate, radius, angle or bulge that is no finite number or is out of range.
+    #[error(
+        "{entity} on layer {layer}: {field} is {value}, outside ±{limit}; repair the drawing or its units"
+    )]
+    NumberOutOfRange {
+        /// Entity type, such as `LINE`.
+        entity: &'static str,
+        /// Its layer.
+        layer: String,
+        /// Which number.
+        field: &'static str,
+        /// The number, millimetres for lengths.
+        value: f64,
+        /// Largest absolute value, in the unit of `value`.
+        limit: f64,
+    },
+    /// More vertices than [`crate::ReadOptions::vertex_limit`].
+    #[error("the drawing has more than {limit} vertices; raise the limit or split the drawing")]
+    TooManyVertices {
+        /// The limit.
+        limit: usize,
+    },
+    /// More entities than [`crate::ReadOptions::entity_limit`].
+    #[error("the drawing has more than {limit} entities; raise the limit or split the drawing")]
+    TooManyEntities {
+        /// The limit.
+        limit: usize,
+    },
+    /// The DXF library refuses the file.
+    #[error("the file can't be read as DXF: {message}; export it again, as ASCII R2000 or later")]
+    Library {
+        /// What the library says.
+        message: String,
+    },
+}

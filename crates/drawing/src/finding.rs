@@ -1,0 +1,92 @@
+//! What is wrong with a drawing, with the layer and the place.
+
+use std::fmt;
+use traverse_geometry::{Finding, Point};
+
+/// One thing that is wrong with a drawing. It says where, so that a picture can mark it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawingFinding {
+    /// Layer name.
+    pub layer: String,
+    /// Where to look, millimetres.
+    pub place: Point,
+    /// What is wrong.
+    pub fault: Fault,
+}
+
+/// What is wrong at a place of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Lines and arcs that join to a chain but not to a loop. The finding's place is one loose end.
+    OpenChain {
+        /// The other loose end.
+        other_end: Point,
+        /// Distance between both ends, millimetres.
+        gap_mm: f64,
+        /// Length of the chain, millimetres.
+        length_mm: f64,
+    },
+    /// Three or more ends meet, so it can't be told which belong together.
+    Junction {
+        /// How many.
+        ends: usize,
+    },
+    /// An entity that is drawn once more on top of an equal one; it counts once.
+    Duplicate,
+    /// An entity shorter than the joining tolerance; it is left out.
+    TooShort {
+        /// Millimetres.
+        length_mm: f64,
+    },
+    /// A loop that is no valid ring, or does not fit the loop around it; it is left out.
+    InvalidLoop {
+        /// What geometry says.
+        finding: Finding,
+    },
+    /// A loop that lies partly inside another loop of its layer; both count as solid obstacles.
+    CrossingLoops {
+        /// What geometry says.
+        finding: Finding,
+    },
+    /// A loop inside a hole of the work area: unreachable from outside, so it is left out.
+    IslandInWorkArea,
+}
+
+impl Fault {
+    /// Whether something that was drawn is missing from the result because of this.
+    #[must_use]
+    pub fn loses_something(&self) -> bool {
+        !matches!(self, Self::Duplicate | Self::TooShort { .. } | Self::CrossingLoops { .. })
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OpenChain { other_end, gap_mm, length_mm } => write!(
+                f,
+                "open chain of {length_mm:.3} mm, ending at {:.3},{:.3} after a gap of {gap_mm:.4} mm; close it or raise the joining tolerance",
+                other_end.x, other_end.y
+            ),
+            Self::Junction { ends } => {
+                write!(f, "{ends} ends meet, so loops can't be told apart; leave two ends at this point")
+            }
+            Self::Duplicate => f.write_str("drawn twice; counted once"),
+            Self::TooShort { length_mm } => {
+                write!(f, "only {length_mm:.6} mm long, less than the joining tolerance; left out")
+            }
+            Self::InvalidLoop { finding } => write!(f, "invalid loop, left out: {finding}"),
+            Self::CrossingLoops { finding } => {
+                write!(f, "lies partly inside another loop; both taken as solid: {finding}")
+            }
+            Self::IslandInWorkArea => f.write_str("loop inside a hole of the work area; left out"),
+        }
+    }
+}
+
+impl fmt::Display for DrawingFinding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "layer {} at {:.3},{:.3}: {}", self.layer, self.place.x, self.place.y, self.fault)
+    }
+}

@@ -1,0 +1,28 @@
+//! How a file is read.
+
+use crate::LengthUnit;
+
+/// How a file is read, and how much of it at most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ReadOptions {
+    /// Longest file, bytes. Default: 64 MiB.
+    pub byte_limit: u64,
+    /// Most entities of all types. Default: 400 000, which takes up to 1 GB for a moment.
+    pub entity_limit: usize,
+    /// Most vertices of all curves together. Default: 2 000 000.
+    pub vertex_limit: usize,
+    /// The unit of a file that does not name one. Default: millimetres.
+    pub default_unit: LengthUnit,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self {
+            byte_limit: 64 << 20,
+            entity_limit: 400_000,
+            vertex_limit: 2_000_000,
+            default_unit: LengthUnit::MILLIMETRES,
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! What a drawing holds that could not be used: counted, never silently dropped.
+
+use std::fmt;
+
+/// Entities of one type on one layer that were not used, and why.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Unused {
+    /// Layer name as in the file; empty when the file does not let it be known.
+    pub layer: String,
+    /// Entity type as in the file, such as `HATCH`.
+    pub entity: String,
+    /// Why.
+    pub why: WhyUnused,
+    /// How many.
+    pub count: usize,
+}
+
+/// Why an entity was not used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum WhyUnused {
+    /// This version does not read entities of its type.
+    Type,
+    /// Its extrusion direction is not +Z: drawn in another plane, or mirrored.
+    Extrusion,
+    /// On a layout sheet (paper space), not in the model.
+    PaperSpace,
+    /// It has no length.
+    NoLength,
+    /// The DXF library did not deliver it.
+    NotDelivered,
+}
+
+impl fmt::Display for WhyUnused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Type => "entities of this type are not read",
+            Self::Extrusion => "extrusion direction is not +Z",
+            Self::PaperSpace => "in paper space",
+            Self::NoLength => "without length",
+            Self::NotDelivered => "lost by the DXF library",
+        })
+    }
+}
+
+impl fmt::Display for Unused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} × {} on layer {}: {}", self.count, self.entity, self.layer, self.why)
+    }
+}

@@ -1,0 +1,86 @@
+//! What a shortest path can bend round: a circle, of radius 0 for a control point, over a range of directions.
+
+use traverse_geometry::{Point, Vector, positive_angle, unit};
+
+/// A convex corner or arc of a barrier.
+///
+/// Directions on it are given by their offset: the angle counter-clockwise from where its range begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Feature {
+    /// Centre of the circle.
+    pub(crate) center: Point,
+    /// Radius that a path keeps while it is planned, millimetres.
+    pub(crate) plan_radius: f64,
+    /// Radius that the answered path has, millimetres: the same, or less one contact tolerance at clearance 0.
+    pub(crate) price_radius: f64,
+    /// Outward direction where the range begins, radians.
+    pub(crate) start_angle: f64,
+    /// Width of the range, radians, at most a full turn.
+    pub(crate) sweep: f64,
+    /// The feature that the range's beginning goes over into without a straight edge between.
+    pub(crate) before: Option<usize>,
+    /// The feature that the range's end goes over into without a straight edge between.
+    pub(crate) after: Option<usize>,
+    /// Whose barrier it belongs to, as in [`super::Blocker::owner`].
+    pub(crate) owner: usize,
+}
+
+/// On which side of the direction of travel the circle lies that a path bends round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Side {
+    /// Left: the path turns counter-clockwise, offsets grow.
+    Left,
+    /// Right: the path turns clockwise, offsets shrink.
+    Right,
+}
+
+impl Side {
+    pub(crate) const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    /// +1 on the left, −1 on the right.
+    pub(crate) fn sign(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+
+    /// 0 on the left, 1 on the right.
+    pub(crate) fn index(self) -> usize {
+        match self {
+            Self::Left => 0,
+            Self::Right => 1,
+        }
+    }
+}
+
+impl Feature {
+    /// The offset of an outward `direction`, moved onto the range's ends from up to `tolerance` radians beyond.
+    pub(crate) fn offset_of(&self, direction: Vector, tolerance: f64) -> Option<f64> {
+        let offset = positive_angle(direction.y.atan2(direction.x) - self.start_angle);
+        if offset <= self.sweep {
+            Some(offset)
+        } else if offset <= self.sweep + tolerance {
+            Some(self.sweep)
+        } else if offset >= std::f64::consts::TAU - tolerance {
+            Some(0.0)
+        } else {
+            None
+        }
+    }
+
+    /// Offsets nearer to each other than this are the same place: a nanometre's thousandth on the circle.
+    pub(crate) fn offset_tolerance(&self) -> f64 {
+        1e-9 / self.plan_radius.max(1.0)
+    }
+
+    /// The outward direction at `offset`.
+    pub(crate) fn direction_at(&self, offset: f64) -> Vector {
+        unit(self.start_angle + offset)
+    }
+
+    /// The point at `offset` that a planned path passes.
+    pub(crate) fn plan_point(&self, offset: f64) -> Point {
+        self.center + self.direction_at(offset) * self.plan_radius
+    }
+}

@@ -1,0 +1,161 @@
+//! The shortest rapid move, exactly: look only at what blocks the line.
+//!
+//! Start with no barrier at all; find the shortest path among the active barriers; test it against the whole scene;
+//! activate what it hits; repeat until it hits nothing. Every round is a relaxation of the scene, so its cost bounds
+//! the optimum from below, and the first path that hits nothing is optimal. Exact because blocked means the same in
+//! both tests. The idea is the published scan's (2008), made exact.
+//!
+//! Cost: a few rounds over a few barriers; building the obstruction of the whole scene is n log n.
+
+use crate::barriers::Barriers;
+use crate::search::{End, Relaxation, Route, shortest};
+use crate::separating::separating;
+use crate::standing::stand;
+use crate::supporting_lines::supporting_lines;
+use crate::trace::trace;
+use crate::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, Stats};
+use std::collections::BTreeSet;
+use traverse_geometry::{Edge, Path, Scene, Segment};
+use traverse_solve::{Budget, Interrupt, Observer};
+
+/// Plans one rapid move in a valid scene.
+///
+/// # Errors
+/// See [`Refusal`]; every end that lies inside a barrier is named, one refusal each.
+pub fn plan_rapid_move(
+    scene: &Scene,
+    query: &RapidMove,
+    budget: &Budget,
+    observer: &mut dyn Observer,
+) -> Result<(Answer, Stats), Vec<Refusal>> {
+    let interrupted =
+        |lower_bound: f64| move |interrupt: Interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
+    let straight = (query.target - query.start).norm();
+    let barriers = Barriers::new(scene, budget).map_err(interrupted(straight))?;
+    let (start, target) = both(stand(&barriers, "start", query.start), stand(&barriers, "target", query.target))?;
+    let mut solver = Solver { barriers: &barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
+    let solved = solver.solve(&start, &target).map_err(interrupted(solver.lower_bound))?;
+    let stats = solver.stats;
+    let (path, bending_obstacles) = match solved {
+        Solved::Path(path, bending) => (path, bending),
+        Solved::Parted(separating_obstacles) => return Ok((Answer::NoPath(NoPath { separating_obstacles }), stats)),
+    };
+    let cost = path.length();
+    let exact = RapidPlan {
+        path,
+        cost,
+        lower_bound: cost,
+        clearance_mm: scene.clearance_mm,
+        bending_obstacles,
+        alternatives: Vec::new(),
+    };
+    let plan = match query.algorithm {
+        Algorithm::Exact => exact,
+        Algorithm::SupportingLines => {
+            let candidates = supporting_lines(scene, query.start, query.target).map_err(|why| vec![why])?;
+            published(candidates, exact)
+        }
+    };
+    Ok((Answer::Plan(plan), stats))
+}
+
+/// The published plan: its best candidate, bounded by the exact optimum.
+fn published(candidates: Vec<Path>, exact: RapidPlan) -> RapidPlan {
+    let path = candidates.first().cloned().unwrap_or_else(|| exact.path.clone());
+    let cost = path.length();
+    RapidPlan {
+        cost,
+        // Both are sums of the same lengths when the scan finds the optimum; rounding must not set them apart.
+        lower_bound: if cost <= exact.cost * (1.0 + 1e-12) { cost } else { exact.cost },
+        path,
+        alternatives: candidates,
+        ..exact
+    }
+}
+
+fn both(start: Result<End, Vec<Refusal>>, target: Result<End, Vec<Refusal>>) -> Result<(End, End), Vec<Refusal>> {
+    match (start, target) {
+        (Ok(start), Ok(target)) => Ok((start, target)),
+        (start, target) => Err([start.err(), target.err()].into_iter().flatten().flatten().collect()),
+    }
+}
+
+/// What the rounds came to.
+enum Solved {
+    /// A path, and what bends it.
+    Path(Path, Vec<String>),
+    /// None, because of these.
+    Parted(Vec<String>),
+}
+
+struct Solver<'a> {
+    barriers: &'a Barriers<'a>,
+    budget: &'a Budget,
+    observer: &'a mut dyn Observer,
+    stats: Stats,
+    lower_bound: f64,
+}
+
+impl Solver<'_> {
+    fn solve(&mut self, start: &End, target: &End) -> Result<Solved, Interrupt> {
+        if start.point == target.point {
+            return Ok(Solved::Path(Path::at(start.point), Vec::new()));
+        }
+        let mut relaxation = Relaxation::default();
+        let mut active: BTreeSet<usize> = BTreeSet::new();
+        loop {
+            let found = shortest(&relaxation, start, target, self.budget, &mut self.stats.expanded_nodes)?;
+            self.stats.barrier_vertices = relaxation.features.len() as u64;
+            let Some(route) = found else {
+                let parting = separating(self.barriers, active, start, target, self.budget, &mut self.stats)?;
+                return Ok(Solved::Parted(parting.into_iter().map(|owner| self.id(owner)).collect()));
+            };
+            if route.cost > self.lower_bound {
+                self.lower_bound = route.cost;
+                self.observer.better_bound(route.cost);
+            }
+            let hit: BTreeSet<usize> = self.hits(&route, &relaxation);
+            if hit.is_empty() {
+                self.observer.better_cost(route.cost);
+                let path = trace(&route, &relaxation.features, start.point, target.point);
+                return Ok(Solved::Path(path, self.bending(&route, &relaxation)));
+            }
+            assert!(hit.is_disjoint(&active), "invariant: a path hit a barrier that it was planned round");
+            let (blockers, features) = self.barriers.parts(hit.iter().copied());
+            relaxation.add(&blockers, &features, self.budget)?;
+            active.extend(hit);
+        }
+    }
+
+    /// Owners of the barriers of the whole scene that the planned path runs into.
+    fn hits(&self, route: &Route, relaxation: &Relaxation) -> BTreeSet<usize> {
+        let mut hit = BTreeSet::new();
+        for &(from, to) in &route.straights {
+            let piece = Edge::Segment(Segment::new(from, to));
+            hit.extend(self.barriers.whole.blocking(&piece).map(|blocker| blocker.owner));
+        }
+        for stop in &route.stops {
+            let feature = &relaxation.features[stop.feature];
+            if feature.plan_radius == 0.0 {
+                continue;
+            }
+            // The free stretches of the search close within this tolerance at both ends.
+            let margin = 2.0 * feature.offset_tolerance();
+            let (low, high) = (stop.from.min(stop.to) + margin, stop.from.max(stop.to) - margin);
+            let blocked = self.barriers.whole.blocked_offsets(feature);
+            hit.extend(blocked.filter(|&(from, to, _)| from < high && low < to).map(|(_, _, owner)| owner));
+        }
+        hit
+    }
+
+    fn bending(&self, route: &Route, relaxation: &Relaxation) -> Vec<String> {
+        let mut ids: Vec<String> =
+            route.stops.iter().map(|stop| self.id(relaxation.features[stop.feature].owner)).collect();
+        ids.dedup();
+        ids
+    }
+
+    fn id(&self, owner: usize) -> String {
+        self.barriers.id(owner).to_owned()
+    }
+}

@@ -1,0 +1,18 @@
+//! The shortest path among a set of barriers: best first over the tangents between their features.
+//!
+//! A path that can't be shortened runs on common tangents of features and bends round them along arcs. The search
+//! keeps a label for each way of touching a feature: which, on which side, at which offset. One label per feature
+//! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
+//! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
+
+mod end;
+mod label;
+mod relaxation;
+mod shortest;
+mod tangent;
+
+pub(crate) use end::End;
+pub(crate) use label::{Place, Route, Stop};
+pub(crate) use relaxation::Relaxation;
+pub(crate) use shortest::shortest;
+pub(crate) use tangent::Tangent;

@@ -1,0 +1,28 @@
+//! From a route of the search to moves: the planned ones, which are tested, and the answered ones.
+
+use crate::barrier::Feature;
+use crate::search::Route;
+use traverse_geometry::{Path, Point};
+
+/// An arc shorter than this is left out of the answer, millimetres.
+const SHORTEST_ARC_MM: f64 = 1e-9;
+
+/// The path that a route answers with. Costs the route's cost, but for rounding.
+pub(crate) fn trace(route: &Route, features: &[Feature], start: Point, target: Point) -> Path {
+    let mut path = Path::at(start);
+    for stop in &route.stops {
+        let feature = &features[stop.feature];
+        if feature.price_radius == 0.0 {
+            path.line_to(feature.center);
+            continue;
+        }
+        let arrival = feature.center + stop.spoke_in * feature.price_radius;
+        path.line_to(arrival);
+        if stop.turned * feature.price_radius > SHORTEST_ARC_MM {
+            let departure = feature.center + stop.spoke_out * feature.price_radius;
+            path.arc_to(departure, feature.center, stop.turned * stop.side.sign());
+        }
+    }
+    path.line_to(target);
+    path
+}

@@ -1,0 +1,28 @@
+//! How large a request may be.
+
+/// How large a request may be. Told by GetLimits, explained in docs/limits.md, checked before anything costly.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Largest request and largest answer, bytes, in the encoding that the caller uses.
+    pub message_bytes: usize,
+    /// Most vertices of one request, work area and holes included.
+    pub vertex_count: usize,
+    /// Most obstacles of one request.
+    pub obstacle_count: usize,
+    /// Most steps of a path to check.
+    pub step_count: usize,
+}
+
+/// Longest id of an obstacle, bytes.
+pub(crate) const ID_BYTES: usize = 256;
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            message_bytes: 16 * 1024 * 1024,
+            vertex_count: 250_000,
+            obstacle_count: 50_000,
+            step_count: 50_000,
+        }
+    }
+}

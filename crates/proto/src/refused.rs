@@ -1,0 +1,159 @@
+//! Every way in which a call can fail: one closed enum, one reason each, one section in docs/errors.md each.
+
+use crate::InsideEnd;
+use std::time::Duration;
+use traverse_geometry::Finding;
+use traverse_planner::Refusal;
+use traverse_solve::Interrupt;
+
+macro_rules! refusals {
+    ($($(#[$doc:meta])* $name:ident $({ $($(#[$field_doc:meta])* $field:ident: $type:ty,)* })? = $reason:literal,)*) => {
+        /// Why a call is refused. Closed: each reason has a section in docs/errors.md.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Refused { $($(#[$doc])* $name $({ $($(#[$field_doc])* $field: $type,)* })?,)* }
+
+        /// Every reason of a refused call, in the order of the documentation.
+        pub const REASONS: &[&str] = &[$($reason,)*];
+
+        impl Refused {
+            /// The reason on the wire, UPPER_SNAKE_CASE.
+            #[must_use]
+            pub fn reason(&self) -> &'static str {
+                match self { $(Self::$name { .. } => $reason,)* }
+            }
+        }
+    };
+}
+
+refusals! {
+    /// Values of the request are wrong.
+    InvalidRequest {
+        /// All of them.
+        findings: Vec<Finding>,
+    } = "INVALID_REQUEST",
+    /// Start, target or both lie inside a barrier.
+    EndInsideBarrier {
+        /// Each end and each barrier that it lies in.
+        ends: Vec<InsideEnd>,
+    } = "END_INSIDE_BARRIER",
+    /// The published scan does not cover the request.
+    PublishedMethodNotApplicable {
+        /// What it does not cover.
+        why: &'static str,
+    } = "PUBLISHED_METHOD_NOT_APPLICABLE",
+    /// The bytes are not the message that the call takes.
+    MalformedMessage {
+        /// What is wrong with them.
+        detail: String,
+    } = "MALFORMED_MESSAGE",
+    /// The text is not JSON, or not JSON of the message that the call takes.
+    MalformedJson {
+        /// What is wrong with it, and where.
+        detail: String,
+    } = "MALFORMED_JSON",
+    /// A header of the request can't be understood.
+    MalformedHeader {
+        /// Which one, its value, what it should be.
+        detail: String,
+    } = "MALFORMED_HEADER",
+    /// The request exceeds the message limit.
+    MessageTooLarge {
+        /// Its size, as far as it is known, bytes.
+        bytes: u64,
+        /// The limit, bytes.
+        limit: usize,
+    } = "MESSAGE_TOO_LARGE",
+    /// The answer exceeds the message limit.
+    AnswerTooLarge {
+        /// Its size, bytes.
+        bytes: usize,
+        /// The limit, bytes.
+        limit: usize,
+    } = "ANSWER_TOO_LARGE",
+    /// The time was over before the engine was done.
+    TimeLimitReached {
+        /// Known so far: no plan costs less. Absent: the engine had not begun, or finds no bounds.
+        lower_bound: Option<f64>,
+    } = "TIME_LIMIT_REACHED",
+    /// The iterations were used up before the engine was done.
+    IterationLimitReached {
+        /// Known so far: no plan costs less.
+        lower_bound: f64,
+    } = "ITERATION_LIMIT_REACHED",
+    /// Every core is busy and nothing more may wait.
+    QueueFull {
+        /// What is full, and its limit.
+        what: String,
+        /// When to try again.
+        retry_after: Duration,
+    } = "QUEUE_FULL",
+    /// The server is going down.
+    ServerDraining = "SERVER_DRAINING",
+    /// The caller no longer wants the answer.
+    Cancelled = "CANCELLED",
+    /// There is no such call.
+    UnknownMethod {
+        /// What was asked for.
+        path: String,
+    } = "UNKNOWN_METHOD",
+    /// The request is compressed or in an encoding that this server does not read.
+    UnsupportedEncoding {
+        /// Which.
+        encoding: String,
+    } = "UNSUPPORTED_ENCODING",
+    /// A fault of the server.
+    Internal {
+        /// Stands in the server's log beside what happened.
+        id: String,
+    } = "INTERNAL",
+}
+
+impl Refused {
+    /// A request with these findings.
+    #[must_use]
+    pub fn findings_of(findings: Vec<Finding>) -> Self {
+        Self::InvalidRequest { findings }
+    }
+
+    /// What is wrong with the request's values; empty when that is not the trouble.
+    #[must_use]
+    pub fn findings(&self) -> &[Finding] {
+        match self {
+            Self::InvalidRequest { findings } => findings,
+            _ => &[],
+        }
+    }
+
+    /// The answer to an engine that had to stop.
+    #[must_use]
+    pub fn interrupted(interrupt: Interrupt, lower_bound: Option<f64>) -> Self {
+        match interrupt {
+            Interrupt::Deadline => Self::TimeLimitReached { lower_bound },
+            Interrupt::Iterations => Self::IterationLimitReached { lower_bound: lower_bound.unwrap_or(0.0) },
+            Interrupt::Cancelled => Self::Cancelled,
+        }
+    }
+
+    /// The planner's refusals as one. Ends inside barriers go first: they are what the caller can mend.
+    ///
+    /// Absent when there are none.
+    #[must_use]
+    pub fn by_planner(refusals: Vec<Refusal>) -> Option<Self> {
+        let mut ends = Vec::new();
+        let mut other = None;
+        for refusal in refusals {
+            match refusal {
+                Refusal::EndInsideBarrier { field, obstacle, depth_mm } => {
+                    ends.push(InsideEnd { field, obstacle, depth_mm });
+                }
+                Refusal::PublishedMethodNotApplicable { why } => {
+                    other.get_or_insert(Self::PublishedMethodNotApplicable { why });
+                }
+                Refusal::Interrupted { interrupt, lower_bound } => {
+                    other.get_or_insert(Self::interrupted(interrupt, Some(lower_bound)));
+                }
+            }
+        }
+        if ends.is_empty() { other } else { Some(Self::EndInsideBarrier { ends }) }
+    }
+}
