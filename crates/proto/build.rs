@@ -4,7 +4,7 @@ use prost::Message;
 use std::path::Path;
 
 const ROOT: &str = "../../proto";
-const FILES: &[&str] = &["traverse/v1/planner.proto"];
+const FILES: &[&str] = &["traverse/v1/service.proto"];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo:rerun-if-changed={ROOT}");

@@ -17,24 +17,8 @@ pub(crate) struct Nearest {
 
 /// How near `step` comes to `edge`.
 pub(crate) fn nearest(step: &Curve, edge: &Curve) -> Nearest {
-    let mut places = vec![0.0, 1.0, step.nearest_fraction(edge.start()), step.nearest_fraction(edge.end())];
-    match (step, edge) {
-        (Curve::Straight(_), Curve::Straight(edge)) => segment_segment(step, edge, &mut places),
-        (Curve::Straight(_), Curve::Circular(edge)) => {
-            places.push(step.nearest_fraction(edge.center));
-            step.cut_by_circle(edge.center, edge.radius, &mut places);
-        }
-        (Curve::Circular(_), Curve::Straight(edge)) => {
-            step.cut_by_direction(right_of(edge.direction()), &mut places);
-            segment_segment(step, edge, &mut places);
-        }
-        (Curve::Circular(arc), Curve::Circular(edge)) => {
-            step.cut_by_direction(edge.center - arc.center, &mut places);
-            step.cut_by_circle(edge.center, edge.radius, &mut places);
-        }
-    }
     let mut best = Nearest { distance: f64::INFINITY, at: step.start() };
-    for fraction in places {
+    for fraction in places(step, edge) {
         let at = step.point_at(fraction);
         let distance = edge.distance_to_point(at);
         if distance < best.distance {
@@ -44,9 +28,25 @@ pub(crate) fn nearest(step: &Curve, edge: &Curve) -> Nearest {
     best
 }
 
-/// Where the step crosses the line of a straight edge.
-fn segment_segment(step: &Curve, edge: &crate::curve::Straight, places: &mut Vec<f64>) {
-    step.cut_by_line(edge.a, right_of(edge.direction()), 0.0, places);
+/// Fractions of the step, among them every one where the distance to the edge is locally least.
+pub(crate) fn places(step: &Curve, edge: &Curve) -> Vec<f64> {
+    let mut places = vec![0.0, 1.0, step.nearest_fraction(edge.start()), step.nearest_fraction(edge.end())];
+    match (step, edge) {
+        (_, Curve::Straight(edge)) => {
+            let normal = right_of(edge.direction());
+            step.cut_by_line(edge.a, normal, 0.0, &mut places);
+            step.cut_by_direction(normal, &mut places);
+        }
+        (Curve::Straight(_), Curve::Circular(edge)) => {
+            places.push(step.nearest_fraction(edge.center));
+            step.cut_by_circle(edge.center, edge.radius, &mut places);
+        }
+        (Curve::Circular(arc), Curve::Circular(edge)) => {
+            step.cut_by_direction(edge.center - arc.center, &mut places);
+            step.cut_by_circle(edge.center, edge.radius, &mut places);
+        }
+    }
+    places
 }
 
 #[cfg(test)]

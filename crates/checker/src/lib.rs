@@ -1,10 +1,50 @@
 //! Checks plans against their requests on the original geometry, with none of the planner's code.
+//!
+//! Of geometry it shares the data types, exact orientation and the tolerances. Distances with arcs, containment,
+//! mitred corners and what touches are its own, so that a mistake has to be made twice to go unseen.
+//!
+//! ```
+//! use traverse_checker::{ViolationReason, check_rapid_move};
+//! use traverse_geometry::{CONTACT_TOLERANCE_MM, CornerStyle, Obstacle, Path, Point, Polygon, Ring, Scene};
+//!
+//! let square = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(|(x, y)| Point::new(x, y));
+//! let ring = Ring::new(square.to_vec(), Vec::new()).expect("a square is a ring");
+//! let scene = Scene {
+//!     work_area: None,
+//!     obstacles: vec![Obstacle { id: "plate".into(), shape: Polygon::from_ring(ring), clearance_mm: None }],
+//!     clearance_mm: 2.0,
+//!     work_area_clearance_mm: None,
+//!     corner_style: CornerStyle::Round,
+//! };
+//! let (start, target) = (Point::new(-5.0, 11.5), Point::new(15.0, 11.5));
+//! let mut path = Path::at(start);
+//! path.line_to(target);
+//! let check = check_rapid_move(&scene, start, target, &path, CONTACT_TOLERANCE_MM);
+//! let [violation] = &check.violations[..] else { panic!("half a millimetre too near") };
+//! assert_eq!(violation.reason, ViolationReason::TooClose);
+//! assert_eq!(violation.message, "step 0 comes within 1.5 mm of obstacle plate; asked are 2 mm");
+//! assert_eq!((check.cost, check.smallest_margin_mm), (20.0, Some(-0.5)));
+//! ```
 
+mod arc_distance;
+mod boundary;
+mod boundary_tree;
+mod clearance;
+mod contact;
+mod curve;
+mod curve_cuts;
+mod inside;
+mod message;
+mod mitre;
+mod path_shape;
 mod rapid_check;
+mod seam;
+mod strip;
+mod touching;
 mod violation;
 
-pub use rapid_check::{PathCheck, check_rapid_move};
+pub use rapid_check::{PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move};
 pub use violation::{Violation, ViolationReason};
 
-/// Stands for the work area where a violation names an obstacle.
+/// Stands for the work area where a violation names an obstacle. No obstacle has this id.
 pub const WORK_AREA_ID: &str = "work_area";

@@ -1,17 +1,34 @@
-//! Placeholder body: the API is final, the checks are being filled in.
+//! Checks a rapid move: ends, arcs, clearance, and at clearance 0 what touches.
 
-use crate::Violation;
+use crate::boundary::Boundary;
+use crate::boundary_tree::BoundaryTree;
+use crate::clearance::{Surroundings, nearer};
+use crate::curve::Curve;
+use crate::inside::{is_inside, solids_around};
+use crate::message::{millimetres, solid_id, solid_name};
+use crate::path_shape::{curves, not_finite, wrong_ends};
+use crate::seam::seam;
+use crate::strip::Strip;
+use crate::touching::passages;
+use crate::{Violation, ViolationReason};
+use std::collections::BTreeSet;
 use traverse_geometry::{Path, Point, Scene};
+
+/// Most violations that are listed for one path.
+pub const VIOLATION_LIMIT: usize = 1000;
+
+/// Least tolerance that is used, millimetres: below it rounding alone would decide.
+pub const SMALLEST_TOLERANCE_MM: f64 = 1e-9;
 
 /// What checking a path found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathCheck {
-    /// What is wrong; empty: the path is sound.
+    /// What is wrong, along the path, at most [`VIOLATION_LIMIT`]; empty: the path is sound.
     pub violations: Vec<Violation>,
-    /// The path's length, recomputed, millimetres. NaN when a number of the path is not finite.
+    /// The path's length, recomputed, millimetres. 0 when a number of the path is not finite.
     pub cost: f64,
-    /// Over the whole path: distance to the nearest obstacle or border less the clearance asked for it.
-    /// Negative: too near. None: nothing is in the way, or a number of the path is not finite.
+    /// Over the whole path: distance to the nearest obstacle or border less the clearance asked for it; inside,
+    /// minus the depth less the clearance. None: nothing is in the way, or no step could be measured.
     pub smallest_margin_mm: Option<f64>,
 }
 
@@ -23,9 +40,244 @@ impl PathCheck {
     }
 }
 
-/// Checks `path` from `start` to `target` in `scene`.
+/// Checks `path` from `start` to `target` in `scene`. What lies less than `tolerance_mm` inside a barrier counts as
+/// touching it; [`traverse_geometry::CONTACT_TOLERANCE_MM`] is what planned paths are made for.
+///
+/// To check several paths in one scene, keep a [`RapidMoveChecker`].
 #[must_use]
 pub fn check_rapid_move(scene: &Scene, start: Point, target: Point, path: &Path, tolerance_mm: f64) -> PathCheck {
-    let _ = (scene, start, target, tolerance_mm);
-    PathCheck { violations: Vec::new(), cost: path.length(), smallest_margin_mm: None }
+    RapidMoveChecker::new(scene).check(start, target, path, tolerance_mm)
+}
+
+/// A scene, made ready to check any number of paths in it.
+pub struct RapidMoveChecker<'a> {
+    scene: &'a Scene,
+    boundary: Boundary,
+    tree: BoundaryTree,
+}
+
+impl<'a> RapidMoveChecker<'a> {
+    /// Makes `scene` ready. Cost: O(n log n) for n vertices.
+    #[must_use]
+    pub fn new(scene: &'a Scene) -> Self {
+        let boundary = Boundary::of(scene);
+        let tree = BoundaryTree::over(&boundary);
+        Self { scene, boundary, tree }
+    }
+
+    /// Checks one path, as [`check_rapid_move`] does. Cost: O(log n + what it touches) for each step.
+    #[must_use]
+    pub fn check(&self, start: Point, target: Point, path: &Path, tolerance_mm: f64) -> PathCheck {
+        let mut violations = not_finite(start, target, path);
+        if !violations.is_empty() {
+            return PathCheck { violations, cost: 0.0, smallest_margin_mm: None };
+        }
+        // Also turns NaN into the least tolerance.
+        let tolerance = tolerance_mm.max(SMALLEST_TOLERANCE_MM);
+        violations.extend(wrong_ends(start, target, path, tolerance));
+        let mut steps = curves(path, tolerance, &mut |violation| push(&mut violations, violation));
+        if steps.is_empty() {
+            steps.push(Some(Curve::straight(path.start, path.start)));
+        }
+        let cost = length(path);
+        let mut walk = Walk {
+            checker: self,
+            around: Surroundings { boundary: &self.boundary, tree: &self.tree, tolerance },
+            only_a_point: path.steps.is_empty(),
+            violations,
+            smallest: None,
+            inside: None,
+            unsure: BTreeSet::new(),
+            pierced: BTreeSet::new(),
+            touched: vec![Vec::new(); steps.len()],
+        };
+        for (index, step) in steps.iter().enumerate() {
+            match step {
+                Some(step) => walk.step(index, step),
+                None => walk.inside = None,
+            }
+        }
+        walk.passages(&steps);
+        PathCheck { violations: walk.violations, cost, smallest_margin_mm: walk.smallest }
+    }
+}
+
+/// The sum of the lengths of all steps, with the radius that each arc's centre gives.
+fn length(path: &Path) -> f64 {
+    let mut from = path.start;
+    path.steps
+        .iter()
+        .map(|step| {
+            let start = std::mem::replace(&mut from, step.end);
+            match step.arc {
+                None => (step.end - start).norm(),
+                Some(arc) => arc.sweep.abs() * ((start - arc.center).norm() + (step.end - arc.center).norm()) / 2.0,
+            }
+        })
+        .sum()
+}
+
+/// Goes along a path and collects.
+struct Walk<'a> {
+    checker: &'a RapidMoveChecker<'a>,
+    around: Surroundings<'a>,
+    only_a_point: bool,
+    violations: Vec<Violation>,
+    smallest: Option<f64>,
+    /// Solids that hold the end of the last step, as far as it did not touch them; none: nothing is known.
+    inside: Option<BTreeSet<u32>>,
+    /// Solids that the last step touched.
+    unsure: BTreeSet<u32>,
+    /// Step and solid of every violation of depth.
+    pierced: BTreeSet<(usize, u32)>,
+    /// Edges of solids with clearance 0 within the tolerance of each step.
+    touched: Vec<Vec<u32>>,
+}
+
+impl Walk<'_> {
+    fn step(&mut self, index: usize, step: &Curve) {
+        let mut approaches = self.around.approaches(step);
+        let touched: BTreeSet<u32> =
+            approaches.iter().filter(|(_, near)| !near.touched.is_empty()).map(|(&solid, _)| solid).collect();
+        self.locate(step, &touched);
+        for &solid in self.inside.iter().flatten() {
+            approaches.entry(solid).or_insert(crate::clearance::Approach { worst: None, touched: Vec::new() });
+        }
+        for (solid, approach) in approaches {
+            let parts = if touched.contains(&solid) {
+                self.around.parts_inside(step, solid, &approach.touched)
+            } else if self.inside.as_ref().is_some_and(|inside| inside.contains(&solid)) {
+                vec![(0.0, 1.0)]
+            } else {
+                Vec::new()
+            };
+            let worst = nearer(approach.worst, self.around.deepest(step, solid, &parts));
+            if let Some(worst) = worst {
+                self.smallest = Some(self.smallest.map_or(worst.distance, |least| least.min(worst.distance)));
+                if worst.distance < -self.around.tolerance {
+                    self.report_depth(index, solid, worst, !parts.is_empty());
+                }
+            }
+            if self.around.boundary.solids[solid as usize].clearance == 0.0 {
+                self.touched[index].extend(approach.touched);
+            }
+        }
+        let most = self.smallest.unwrap_or(f64::INFINITY);
+        if most > 0.0
+            && let Some(margin) = self.around.least_margin(step, most)
+        {
+            self.smallest = Some(margin);
+        }
+    }
+
+    /// Brings `inside` to the start of `step`, but for the solids that it touches.
+    fn locate(&mut self, step: &Curve, touched: &BTreeSet<u32>) {
+        let Surroundings { boundary, tree, .. } = self.around;
+        let start = step.start();
+        let inside = match &mut self.inside {
+            Some(inside) => {
+                for &solid in self.unsure.difference(touched) {
+                    if is_inside(boundary, tree, start, solid) {
+                        inside.insert(solid);
+                    }
+                }
+                inside
+            }
+            unknown => unknown.insert(solids_around(boundary, tree, start)),
+        };
+        inside.retain(|solid| !touched.contains(solid));
+        self.unsure.clone_from(touched);
+    }
+
+    fn report_depth(&mut self, index: usize, solid: u32, worst: crate::arc_distance::Nearest, is_inside: bool) {
+        let about = &self.around.boundary.solids[solid as usize];
+        let name = solid_name(self.checker.scene, about.obstacle);
+        let (place, field) = self.place(index);
+        let amount = -worst.distance;
+        let (found, asked) = (millimetres(about.clearance + worst.distance), millimetres(about.clearance));
+        let depth = millimetres(amount - about.clearance);
+        let (reason, message) = match (is_inside, about.obstacle) {
+            (true, Some(_)) => {
+                let message = format!("{place} is {depth} mm inside {name}; asked are {asked} mm of clearance");
+                (ViolationReason::InsideObstacle, message)
+            }
+            (true, None) => {
+                let message = format!("{place} is {depth} mm outside the work area; asked are {asked} mm inside its border");
+                (ViolationReason::OutsideWorkArea, message)
+            }
+            (false, _) if about.mitred().is_some() => {
+                let message = format!("{place} is {} mm inside the mitred barrier of {name}", millimetres(amount));
+                (ViolationReason::TooClose, message)
+            }
+            (false, _) => {
+                (ViolationReason::TooClose, format!("{place} comes within {found} mm of {name}; asked are {asked} mm"))
+            }
+        };
+        self.pierced.insert((index, solid));
+        let obstacle = Some(solid_id(self.checker.scene, about.obstacle).to_owned());
+        push(&mut self.violations, Violation { field, reason, message, amount, at: Some(worst.at), obstacle });
+    }
+
+    /// Reports where the path passes between what touches, unless it goes through the same solid anyway.
+    fn passages(&mut self, steps: &[Option<Curve>]) {
+        let Surroundings { boundary, tree, tolerance } = self.around;
+        if self.touched.iter().all(Vec::is_empty) {
+            return;
+        }
+        let strip = Strip::along(steps, tolerance);
+        let edges: Vec<Vec<u32>> = strip.steps.iter().map(|step| self.touched[step.index].clone()).collect();
+        let mut reported = BTreeSet::new();
+        let mut found: Vec<_> = passages(boundary, &strip, &edges)
+            .into_iter()
+            .map(|passage| (passage.step, passage.at, passage.solids))
+            .collect();
+        for (step, edges) in strip.steps.iter().zip(&edges) {
+            found.extend(
+                seam(boundary, tree, &step.curve, edges, tolerance).map(|(at, solids)| (step.index, at, solids)),
+            );
+        }
+        found.sort_by_key(|&(step, _, solids)| (step, solids));
+        for (index, at, solids) in found {
+            let pierced = solids.iter().any(|&solid| {
+                (index.saturating_sub(1)..=index + 1).any(|near| self.pierced.contains(&(near, solid)))
+            });
+            if pierced || !reported.insert((index, solids[0])) {
+                continue;
+            }
+            let [one, other] = solids.map(|solid| boundary.solids[solid as usize].obstacle);
+            let (place, field) = self.place(index);
+            let name = solid_name(self.checker.scene, one);
+            let message = if one == other {
+                format!("{place} passes through {name} where it touches itself or has no width")
+            } else {
+                format!("{place} passes between {name} and {}, which touch", solid_name(self.checker.scene, other))
+            };
+            push(
+                &mut self.violations,
+                Violation {
+                    field,
+                    reason: ViolationReason::BetweenTouchingObstacles,
+                    message,
+                    amount: 0.0,
+                    at: Some(at),
+                    obstacle: Some(solid_id(self.checker.scene, one).to_owned()),
+                },
+            );
+        }
+    }
+
+    /// A step's name for people and for programs.
+    fn place(&self, index: usize) -> (String, String) {
+        if self.only_a_point {
+            ("the path".to_owned(), "path.start".to_owned())
+        } else {
+            (format!("step {index}"), format!("path.steps[{index}]"))
+        }
+    }
+}
+
+fn push(violations: &mut Vec<Violation>, violation: Violation) {
+    if violations.len() < VIOLATION_LIMIT {
+        violations.push(violation);
+    }
 }

@@ -1,6 +1,6 @@
 //! What the layers of a drawing stand for.
 
-use crate::LayerPattern;
+use crate::{LayerPattern, LayerRole};
 
 /// Layers of these names are the work area unless [`Roles`] says otherwise.
 pub const WORK_AREA_LAYERS: [&str; 3] = ["WORK_AREA", "WORKAREA", "TABLE"];
@@ -24,16 +24,17 @@ impl Default for Roles {
 }
 
 impl Roles {
-    /// Whether a layer of that name bounds the work area.
+    /// What a layer of that name stands for.
     #[must_use]
-    pub fn is_work_area(&self, layer: &str) -> bool {
-        self.work_area.iter().any(|pattern| pattern.fits(layer))
-    }
-
-    /// Whether a layer of that name holds obstacles.
-    #[must_use]
-    pub fn is_obstacle(&self, layer: &str) -> bool {
-        !self.is_work_area(layer) && self.obstacles.iter().any(|pattern| pattern.fits(layer))
+    pub fn of(&self, layer: &str) -> LayerRole {
+        let chosen = |patterns: &[LayerPattern]| patterns.iter().any(|pattern| pattern.fits(layer));
+        if chosen(&self.work_area) {
+            LayerRole::WorkArea
+        } else if chosen(&self.obstacles) {
+            LayerRole::Obstacles
+        } else {
+            LayerRole::None
+        }
     }
 
     /// Patterns that were asked for by name and fit none of the layers.

@@ -55,11 +55,12 @@ pub enum LayerRole {
 }
 
 impl SceneReport {
-    /// Whether everything on the chosen layers is in the scene: no curve that could not be closed, no entity that
-    /// could not be read. Otherwise a path may run through something that was drawn.
+    /// Whether everything on the chosen layers is in the scene: no curve that could not be closed, no entity but
+    /// annotation that could not be read on any layer, no pattern that fits nothing. Otherwise a path may run through
+    /// something that was drawn.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.unused.is_empty()
+        !self.unused.iter().any(|unused| unused.why.loses_something())
             && self.unmatched_patterns.is_empty()
             && !self.findings.iter().any(|finding| finding.fault.loses_something())
     }

@@ -27,8 +27,8 @@ pub enum WhyUnused {
     PaperSpace,
     /// It has no length.
     NoLength,
-    /// The DXF library did not deliver it.
-    NotDelivered,
+    /// Text, a dimension or the like: nothing that a machine could meet.
+    Annotation,
 }
 
 impl fmt::Display for WhyUnused {
@@ -38,7 +38,7 @@ impl fmt::Display for WhyUnused {
             Self::Extrusion => "extrusion direction is not +Z",
             Self::PaperSpace => "in paper space",
             Self::NoLength => "without length",
-            Self::NotDelivered => "lost by the DXF library",
+            Self::Annotation => "annotation",
         })
     }
 }
@@ -46,5 +46,13 @@ impl fmt::Display for WhyUnused {
 impl fmt::Display for Unused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} × {} on layer {}: {}", self.count, self.entity, self.layer, self.why)
+    }
+}
+
+impl WhyUnused {
+    /// Whether a machine could meet what was not used.
+    #[must_use]
+    pub fn loses_something(self) -> bool {
+        matches!(self, Self::Type | Self::Extrusion)
     }
 }

@@ -15,23 +15,27 @@ const SMALLEST_DISC_MM: f64 = 100.0 * CONTACT_TOLERANCE_MM;
 
 /// Where the lines or circles of both edges cross, as far as both edges reach there.
 pub(crate) fn common_points(a: &Edge, b: &Edge) -> Vec<Point> {
-    let points = match (a, b) {
+    let mut points = curve_points(a, b);
+    points.retain(|&p| [a, b].into_iter().all(|edge| (0.0..=1.0).contains(&fraction(edge, p))));
+    points
+}
+
+/// Where both edges cross between their ends, deeper than the tolerance on all sides.
+pub(crate) fn deep_crossing(a: &Edge, b: &Edge) -> Option<Point> {
+    // Beyond its end a curve still parts the pieces of the other edge.
+    let cuts = curve_points(a, b);
+    common_points(a, b).into_iter().find(|&p| changes_side(a, b, &cuts, p) && changes_side(b, a, &cuts, p))
+}
+
+/// Where the lines or circles of both edges cross, at least one of them circular.
+fn curve_points(a: &Edge, b: &Edge) -> Vec<Point> {
+    match (a, b) {
         (Edge::Segment(_), Edge::Segment(_)) => Vec::new(),
         (Edge::Segment(segment), Edge::Arc(arc)) | (Edge::Arc(arc), Edge::Segment(segment)) => {
             line_circle(segment, arc)
         }
         (Edge::Arc(a), Edge::Arc(b)) => circle_circle(a, b),
-    };
-    points
-        .into_iter()
-        .filter(|&p| [a, b].into_iter().all(|edge| (0.0..=1.0).contains(&fraction(edge, p))))
-        .collect()
-}
-
-/// Where both edges cross between their ends, deeper than the tolerance on all sides.
-pub(crate) fn deep_crossing(a: &Edge, b: &Edge) -> Option<Point> {
-    let points = common_points(a, b);
-    points.iter().copied().find(|&p| changes_side(a, b, &points, p) && changes_side(b, a, &points, p))
+    }
 }
 
 /// Whether `edge` lies deeper than the tolerance on different sides of the curve of `other` before and after `p`.
@@ -183,5 +187,57 @@ impl Way {
                 arc.center + unit(spoke.y.atan2(spoke.x) + turn) * arc.radius
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn edge(from: (f64, f64), to: (f64, f64), bulge: f64) -> Edge {
+        Edge::from_bulge(Point::new(from.0, from.1), Point::new(to.0, to.1), bulge)
+    }
+
+    #[track_caller]
+    fn check(a: Edge, b: Edge, crosses: bool) {
+        for (a, b) in [(a, b), (b, a), (a.reversed(), b), (a, b.reversed())] {
+            assert_eq!(deep_crossing(&a, &b).is_some(), crosses);
+        }
+    }
+
+    #[test]
+    fn line_and_half_circle() {
+        let half = edge((-1.0, 0.0), (1.0, 0.0), 1.0);
+        check(half, edge((0.0, 0.0), (0.0, -2.0), 0.0), true);
+        check(half, edge((0.0, 0.0), (0.0, 2.0), 0.0), false);
+        // Tangent, nearly tangent on either side, and a secant.
+        check(half, edge((-2.0, -1.0), (2.0, -1.0), 0.0), false);
+        check(half, edge((-2.0, -1.0 + 0.5e-6), (2.0, -1.0 + 0.5e-6), 0.0), false);
+        check(half, edge((-2.0, -1.0 - 0.5e-6), (2.0, -1.0 - 0.5e-6), 0.0), false);
+        check(half, edge((-2.0, -1.0 + 2e-6), (2.0, -1.0 + 2e-6), 0.0), true);
+        // Ending on it, and just past it.
+        check(half, edge((0.0, 0.0), (0.0, -1.0), 0.0), false);
+        check(half, edge((0.0, 0.0), (0.0, -1.0 - 0.5e-6), 0.0), false);
+        check(half, edge((0.0, 0.0), (0.0, -1.0 - 2e-6), 0.0), true);
+    }
+
+    #[test]
+    fn arcs_on_nearly_the_same_circle() {
+        let half = edge((-1.0, 0.0), (1.0, 0.0), 1.0);
+        check(half, half, false);
+        check(half, edge((-1.0 + 3e-7, 0.0), (1.0 + 3e-7, 0.0), 1.0), false);
+        check(half, edge((-1.0 + 3e-5, 0.0), (1.0 + 3e-5, 0.0), 1.0), true);
+    }
+
+    /// The second crossing of the two circles lies on one arc only. Found by generated rings.
+    #[test]
+    fn circles_that_cross_again_beyond_an_end() {
+        let first = edge((0.0, 0.0), (-5.2284094211215075, 0.0), -0.6257064214448556);
+        let second = edge(
+            (-1.7424754011969246, -8.481160244558254),
+            (-8.255834785467883, 7.228272689171268),
+            0.14807926035987726,
+        );
+        check(first, second, true);
     }
 }

@@ -15,7 +15,7 @@ use crate::{
 use std::ops::ControlFlow;
 
 /// What an exact test of two edges costs, in box tests.
-const PAIR_WORK: u64 = 8;
+const PAIR_WORK: u64 = 16;
 
 /// Boxes are grown by at least this, millimetres: more than turning a point within the coordinate limit loses.
 const BOX_MARGIN_MM: f64 = 2e-9;

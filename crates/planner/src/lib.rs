@@ -26,7 +26,7 @@
 //! let Answer::Plan(plan) = answer else { panic!("a block parts nothing") };
 //! assert_eq!(plan.cost, plan.lower_bound);
 //! assert_eq!(plan.bending_obstacles, ["block"]);
-//! assert!((plan.cost - 24.186_640).abs() < 1e-6, "{}", plan.cost);
+//! assert!((plan.cost - 24.772_547).abs() < 1e-6, "{}", plan.cost);
 //! ```
 
 mod barrier;

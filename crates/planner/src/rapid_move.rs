@@ -101,6 +101,11 @@ impl Solver<'_> {
         if start.point == target.point {
             return Ok(Solved::Path(Path::at(start.point), Vec::new()));
         }
+        for end in [start, target] {
+            if end.places.is_empty() {
+                return Ok(Solved::Parted(self.named(end.shut_in_by.iter().copied())));
+            }
+        }
         let mut relaxation = Relaxation::default();
         let mut active: BTreeSet<usize> = BTreeSet::new();
         loop {
@@ -108,7 +113,7 @@ impl Solver<'_> {
             self.stats.barrier_vertices = relaxation.features.len() as u64;
             let Some(route) = found else {
                 let parting = separating(self.barriers, active, start, target, self.budget, &mut self.stats)?;
-                return Ok(Solved::Parted(parting.into_iter().map(|owner| self.id(owner)).collect()));
+                return Ok(Solved::Parted(self.named(parting)));
             };
             if route.cost > self.lower_bound {
                 self.lower_bound = route.cost;
@@ -146,6 +151,12 @@ impl Solver<'_> {
             hit.extend(blocked.filter(|&(from, to, _)| from < high && low < to).map(|(_, _, owner)| owner));
         }
         hit
+    }
+
+    /// Ids of obstacles; the work area's border is taken for granted.
+    fn named(&self, owners: impl IntoIterator<Item = usize>) -> Vec<String> {
+        let is_obstacle = |owner: &usize| *owner < self.barriers.scene.obstacles.len();
+        owners.into_iter().filter(is_obstacle).map(|owner| self.id(owner)).collect()
     }
 
     fn bending(&self, route: &Route, relaxation: &Relaxation) -> Vec<String> {

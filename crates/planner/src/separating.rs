@@ -1,7 +1,7 @@
 //! Which obstacles part start from target.
 
 use crate::Stats;
-use crate::barriers::{Barriers, WORK_AREA_ID};
+use crate::barriers::Barriers;
 use crate::search::{End, Relaxation, shortest};
 use std::collections::BTreeSet;
 use traverse_solve::{Budget, Interrupt};
@@ -21,7 +21,8 @@ pub(crate) fn separating(
     stats: &mut Stats,
 ) -> Result<Vec<usize>, Interrupt> {
     let mut needed = parting.clone();
-    for owner in parting.iter().copied().filter(|&owner| barriers.id(owner) != WORK_AREA_ID) {
+    let obstacles = barriers.scene.obstacles.len();
+    for owner in parting.into_iter().filter(|&owner| owner < obstacles) {
         needed.remove(&owner);
         let (blockers, features) = barriers.parts(needed.iter().copied());
         let mut relaxation = Relaxation::default();
@@ -30,5 +31,5 @@ pub(crate) fn separating(
             needed.insert(owner);
         }
     }
-    Ok(needed.into_iter().filter(|&owner| barriers.id(owner) != WORK_AREA_ID).collect())
+    Ok(needed.into_iter().filter(|&owner| owner < obstacles).collect())
 }

@@ -22,7 +22,17 @@ pub(crate) fn stand(barriers: &Barriers<'_>, field: &'static str, point: Point) 
             Some(Refusal::EndInsideBarrier { field, obstacle: barriers.id(owner).to_owned(), depth_mm })
         })
         .collect();
-    if refusals.is_empty() { Ok(End { point, places: places(barriers, point) }) } else { Err(refusals) }
+    if !refusals.is_empty() {
+        return Err(refusals);
+    }
+    let places = places(barriers, point);
+    let mut shut_in_by = Vec::new();
+    if places.is_empty() {
+        shut_in_by.extend(near(barriers, point).iter().map(|blocker| blocker.owner));
+        shut_in_by.sort_unstable();
+        shut_in_by.dedup();
+    }
+    Ok(End { point, places, shut_in_by })
 }
 
 /// How far `point` lies inside the owner's barrier, if by more than half a contact tolerance.

@@ -13,7 +13,7 @@
 //! passes diagonals through the inside, does no harm there. Cost: the square of the vertex count.
 
 use crate::Refusal;
-use traverse_geometry::{CornerStyle, Orientation, Path, Point, Ring, Scene, Segment, cross, left_of, orientation};
+use traverse_geometry::{CornerStyle, Orientation, Path, Point, Ring, Scene, left_of, orientation};
 
 /// The candidates of the scan, the shortest first: one where start and target see each other, otherwise two.
 ///
@@ -201,13 +201,4 @@ fn path_through(points: &[Point]) -> Path {
     let mut path = Path::at(points[0]);
     points[1..].iter().for_each(|&p| path.line_to(p));
     path
-}
-
-/// α and β of the published visibility test: where the segments P1P2 and ij meet as convex combinations. None:
-/// parallel.
-#[cfg(test)]
-fn published_parameters(p1: Point, p2: Point, i: Point, j: Point) -> Option<(f64, f64)> {
-    let (along, edge) = (Segment::new(p1, p2).vector(), Segment::new(i, j).vector());
-    let parallel = cross(along, edge);
-    (parallel != 0.0).then(|| (cross(i - p1, edge) / parallel, cross(i - p1, along) / parallel))
 }

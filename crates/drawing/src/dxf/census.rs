@@ -9,6 +9,25 @@ use std::ops::Range;
 /// Entity types that are read.
 pub(super) const READ_TYPES: [&str; 4] = ["LINE", "ARC", "CIRCLE", "LWPOLYLINE"];
 
+/// Types that a machine can't meet.
+pub(super) const ANNOTATION_TYPES: [&str; 15] = [
+    "ARC_DIMENSION",
+    "ATTDEF",
+    "DIMENSION",
+    "LARGE_RADIAL_DIMENSION",
+    "LEADER",
+    "LIGHT",
+    "MLEADER",
+    "MTEXT",
+    "MULTILEADER",
+    "POINT",
+    "RAY",
+    "TEXT",
+    "TOLERANCE",
+    "VIEWPORT",
+    "XLINE",
+];
+
 /// Types that only continue the entity before them.
 const CONTINUATIONS: [&str; 3] = ["VERTEX", "SEQEND", "ATTRIB"];
 

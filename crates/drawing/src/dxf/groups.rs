@@ -146,12 +146,4 @@ impl Group<'_> {
         std::str::from_utf8(self.value)
             .map_or_else(|_| self.value.iter().map(|&b| char::from(b)).collect(), str::to_owned)
     }
-
-    /// Whether the value, of an integer code, is not 0.
-    pub(super) fn is_set(&self, spelling: Spelling) -> bool {
-        match spelling {
-            Spelling::Ascii => self.value != b"0",
-            Spelling::Binary { .. } => self.value.iter().any(|&b| b != 0),
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! From the bytes of a DXF file to a drawing.
 
-use super::census::{Census, READ_TYPES, take_census};
+use super::census::{ANNOTATION_TYPES, Census, READ_TYPES, take_census};
 use super::entity::{Taken, take_entity};
 use super::sniff::{Spelling, sniff};
 use crate::{Drawing, Layer, LengthUnit, ReadError, ReadOptions, Unused, WhyUnused};
@@ -54,7 +54,9 @@ pub fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
     }
     for ((layer, entity), count) in census.counts {
         if !READ_TYPES.contains(&entity.as_str()) {
-            *unused.entry((layer, entity, WhyUnused::Type)).or_default() += count;
+            let annotation = ANNOTATION_TYPES.contains(&entity.as_str());
+            let why = if annotation { WhyUnused::Annotation } else { WhyUnused::Type };
+            *unused.entry((layer, entity, why)).or_default() += count;
         }
     }
     let unused = unused

@@ -10,4 +10,6 @@ pub(crate) struct End {
     /// Itself; or, where it lies on the border of an obstacle that is planned at one contact tolerance, the places
     /// that far from the border. Empty: it is shut in between obstacles that touch.
     pub(crate) places: Vec<Point>,
+    /// Owners of the barriers that shut it in.
+    pub(crate) shut_in_by: Vec<usize>,
 }

@@ -12,7 +12,7 @@ mod shortest;
 mod tangent;
 
 pub(crate) use end::End;
-pub(crate) use label::{Place, Route, Stop};
+pub(crate) use label::Route;
 pub(crate) use relaxation::Relaxation;
 pub(crate) use shortest::shortest;
 pub(crate) use tangent::Tangent;

@@ -1,5 +1,5 @@
 //! What the tests of the planner share: building scenes, planning, checking.
-#![allow(dead_code, missing_docs, reason = "every test file uses a part of it")]
+#![allow(dead_code, missing_docs, unreachable_pub, reason = "every test file uses a part of it")]
 
 pub mod oracle;
 

@@ -1,0 +1,218 @@
+//! At clearance 0: whether a path passes between obstacles, or parts of one, that touch.
+//!
+//! A path is legal when a path that stays within the tolerance of it touches nothing. That fails exactly when, in
+//! the strip within the tolerance, something connected reaches from the left wall to the right one: an edge that
+//! crosses it (an antenna, or a plate thinner than the tolerance), or edges on both sides that touch each other.
+//! Edges are cut to their parts in the strip, joined where they touch, and each connected group asked which walls
+//! it reaches. No material is needed for that, so overlap, holes and weakly simple rings are no special cases.
+//!
+//! Limits, all on the side of accepting: places within two tolerances of start and target belong to them; where a
+//! path folds straight back both ways are looked at apart; circular edges touch within the rounding of their
+//! numbers only; of edges that crowd in one place (see [`PAIR_LIMIT`]) only shared vertices and the first pairs
+//! are compared. Cost: linear in the contacts, but for edges side by side, which are compared in pairs.
+
+use crate::boundary::Boundary;
+use crate::contact::contacts;
+use crate::curve::Curve;
+use crate::curve_cuts::Part;
+use crate::strip::{Strip, Wall};
+use std::collections::HashMap;
+use traverse_geometry::Point;
+
+/// Most pairs of edges that are compared for one path.
+const PAIR_LIMIT: usize = 4_000_000;
+
+/// A place where a path passes between what touches.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Passage {
+    /// Index of the path's step.
+    pub(crate) step: usize,
+    pub(crate) at: Point,
+    /// Indices of the solids that touch; twice the same where one does so itself or is crossed.
+    pub(crate) solids: [u32; 2],
+}
+
+/// A part of an edge that lies in the strip along one step.
+struct Piece {
+    step: usize,
+    edge: u32,
+    curve: Curve,
+    part: Part,
+    /// The fractions of the step that it lies beside.
+    beside: Part,
+}
+
+/// Every passage of the strip; `edges` holds the edges within reach of each of its steps.
+pub(crate) fn passages(boundary: &Boundary, strip: &Strip, edges: &[Vec<u32>]) -> Vec<Passage> {
+    let mut groups = Groups::default();
+    // Pieces of the steps that still have followers to be joined with, by edge.
+    let mut recent: HashMap<(usize, u32), Vec<usize>> = HashMap::new();
+    let mut pairs = PAIR_LIMIT;
+    for (at, step_edges) in edges.iter().enumerate() {
+        let first = groups.pieces.len();
+        for &edge in step_edges {
+            add_pieces(boundary, strip, at, edge, &mut groups);
+        }
+        let added = first..groups.pieces.len();
+        for piece in added.clone() {
+            groups.report_crossing(boundary, strip, piece);
+        }
+        join_shared_vertices(boundary, strip, added.clone(), &mut groups);
+        join_touching(boundary, strip, added.clone(), &mut pairs, &mut groups);
+        for piece in added.clone() {
+            recent.entry((at, groups.pieces[piece].edge)).or_default().push(piece);
+        }
+    }
+    for at in 0..edges.len() {
+        for next in strip.following(at) {
+            for &edge in &edges[at] {
+                let (Some(one), Some(other)) = (recent.get(&(at, edge)), recent.get(&(next, edge))) else { continue };
+                for &a in one {
+                    for &b in other {
+                        let (from, to) = (groups.pieces[a].part, groups.pieces[b].part);
+                        if from.0 <= to.1 && to.0 <= from.1 {
+                            let piece = &groups.pieces[b];
+                            let common = (from.0.max(to.0) + from.1.min(to.1)) / 2.0;
+                            let place = piece.curve.point_at(common);
+                            groups.join(boundary, strip, a, b, place);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    groups.passages
+}
+
+fn add_pieces(boundary: &Boundary, strip: &Strip, at: usize, edge: u32, groups: &mut Groups) {
+    let step = &strip.steps[at].curve;
+    let curve = boundary.curve(edge);
+    for part in curve.parts_within(step, strip.reach) {
+        let mut walls = [false; 2];
+        let exits = [(part.0 > 0.0, part.0), (part.1 < 1.0, part.1)];
+        for (_, fraction) in exits.into_iter().filter(|&(leaves, _)| leaves) {
+            match strip.wall_at(at, curve.point_at(fraction)) {
+                Some(Wall::Left) => walls[0] = true,
+                Some(Wall::Right) => walls[1] = true,
+                None => {}
+            }
+        }
+        let places = [part.0, (part.0 + part.1) / 2.0, part.1].map(|f| step.nearest_fraction(curve.point_at(f)));
+        let beside = places.iter().fold((1.0, 0.0), |range: Part, &f| (range.0.min(f), range.1.max(f)));
+        groups.add(Piece { step: at, edge, curve, part, beside }, walls);
+    }
+}
+
+/// Joins pieces that end in the same vertex within the strip.
+fn join_shared_vertices(boundary: &Boundary, strip: &Strip, pieces: std::ops::Range<usize>, groups: &mut Groups) {
+    let mut at_vertex: HashMap<[u64; 2], usize> = HashMap::new();
+    for piece in pieces {
+        let Piece { step, curve, part, .. } = groups.pieces[piece];
+        let ends = [(part.0 <= 0.0, curve.start()), (part.1 >= 1.0, curve.end())];
+        for (_, vertex) in ends.into_iter().filter(|&(reached, _)| reached) {
+            if strip.is_near_end(step, vertex) {
+                continue;
+            }
+            // + 0.0 makes one zero of both.
+            let key = [(vertex.x + 0.0).to_bits(), (vertex.y + 0.0).to_bits()];
+            let first = *at_vertex.entry(key).or_insert(piece);
+            groups.join(boundary, strip, first, piece, vertex);
+        }
+    }
+}
+
+/// Joins pieces beside the same part of a step that touch anywhere else within the strip.
+fn join_touching(
+    boundary: &Boundary,
+    strip: &Strip,
+    pieces: std::ops::Range<usize>,
+    pairs: &mut usize,
+    groups: &mut Groups,
+) {
+    let Some(step) = pieces.clone().next().map(|first| groups.pieces[first].step) else { return };
+    let curve = strip.steps[step].curve;
+    let slack = 4.0 * strip.reach / curve.length();
+    let mut order: Vec<usize> = pieces.collect();
+    order.sort_by(|&a, &b| groups.pieces[a].beside.0.total_cmp(&groups.pieces[b].beside.0));
+    let mut open: Vec<usize> = Vec::new();
+    for piece in order {
+        let from = groups.pieces[piece].beside.0;
+        open.retain(|&other| groups.pieces[other].beside.1 + slack >= from);
+        for &other in &open {
+            if groups.find(other) == groups.find(piece) {
+                continue;
+            }
+            if *pairs == 0 {
+                return;
+            }
+            *pairs -= 1;
+            let (one, two) = (&groups.pieces[other], &groups.pieces[piece]);
+            let place = contacts(&one.curve, &two.curve).into_iter().find(|&p| {
+                curve.distance_to_point(p) <= strip.reach
+                    && !strip.is_near_end(step, p)
+                    && [one, two].into_iter().all(|piece| {
+                        let fraction = piece.curve.nearest_fraction(p);
+                        piece.part.0 <= fraction && fraction <= piece.part.1
+                    })
+            });
+            if let Some(place) = place {
+                groups.join(boundary, strip, other, piece, place);
+            }
+        }
+        open.push(piece);
+    }
+}
+
+/// Connected groups of pieces: a union-find that knows which walls each group reaches.
+#[derive(Default)]
+struct Groups {
+    pieces: Vec<Piece>,
+    parent: Vec<usize>,
+    /// Left, right.
+    walls: Vec<[bool; 2]>,
+    passages: Vec<Passage>,
+}
+
+impl Groups {
+    fn add(&mut self, piece: Piece, walls: [bool; 2]) {
+        self.parent.push(self.pieces.len());
+        self.pieces.push(piece);
+        self.walls.push(walls);
+    }
+
+    fn find(&mut self, piece: usize) -> usize {
+        let mut root = piece;
+        while self.parent[root] != root {
+            self.parent[root] = self.parent[self.parent[root]];
+            root = self.parent[root];
+        }
+        root
+    }
+
+    fn report_crossing(&mut self, boundary: &Boundary, strip: &Strip, piece: usize) {
+        if self.walls[piece] == [true; 2] {
+            let Piece { part, curve, .. } = self.pieces[piece];
+            self.report(boundary, strip, piece, piece, curve.point_at((part.0 + part.1) / 2.0));
+        }
+    }
+
+    fn report(&mut self, boundary: &Boundary, strip: &Strip, a: usize, b: usize, at: Point) {
+        let solids = [a, b].map(|piece| boundary.solid_of(self.pieces[piece].edge));
+        self.passages.push(Passage { step: strip.steps[self.pieces[b].step].index, at, solids });
+    }
+
+    /// Joins two pieces that touch at `place`, and reports it when only that closes the strip.
+    fn join(&mut self, boundary: &Boundary, strip: &Strip, a: usize, b: usize, place: Point) {
+        let (one, other) = (self.find(a), self.find(b));
+        if one == other {
+            return;
+        }
+        let (before, after) = (self.walls[one], self.walls[other]);
+        let joined = [before[0] || after[0], before[1] || after[1]];
+        self.parent[other] = one;
+        self.walls[one] = joined;
+        if joined == [true; 2] && before != joined && after != joined {
+            self.report(boundary, strip, a, b, place);
+        }
+    }
+}

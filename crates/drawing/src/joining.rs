@@ -1,0 +1,155 @@
+//! Joins the curves of one layer to loops.
+//!
+//! Ends within the tolerance become one vertex, shared bit for bit; arcs stay arcs. Nothing is guessed: where three
+//! ends meet, or a chain stays open, a finding says so. Cost: linear but for sorting.
+
+mod chain;
+mod duplicate;
+mod snap;
+
+use crate::{Curve, DrawingFinding, Fault};
+use chain::{Chain, chains};
+use snap::snap;
+use traverse_geometry::{Bounds, Edge, Point};
+
+/// Ends no farther apart than this are joined unless asked otherwise, millimetres: above what CAD programs round to,
+/// below what a cut shows.
+pub const JOIN_TOLERANCE_MM: f64 = 0.01;
+
+/// A closed chain of straight and circular edges, joined but not yet validated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// At least 2; the first is not repeated.
+    pub vertices: Vec<Point>,
+    /// tan(sweep / 4) of the edge that leaves each vertex, within [−1, 1]; one per vertex.
+    pub bulges: Vec<f64>,
+    /// Place of its first curve on the layer: the order of loops.
+    pub first_curve: usize,
+}
+
+/// The loops of a layer and what could not be joined.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Joined {
+    /// In the order of their first curves.
+    pub loops: Vec<Loop>,
+    /// Open chains, junctions, duplicates, curves that are too short.
+    pub findings: Vec<DrawingFinding>,
+}
+
+impl Loop {
+    /// Edges from vertex to vertex, the last one back to the first.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        let next = self.vertices.iter().cycle().skip(1);
+        self.vertices
+            .iter()
+            .zip(&self.bulges)
+            .zip(next)
+            .map(|((&a, &bulge), &b)| Edge::from_bulge(a, b, bulge))
+    }
+
+    /// Millimetres.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.edges().map(|edge| edge.length()).sum()
+    }
+
+    /// Enclosed area, square millimetres, whichever way the loop runs.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let Some(&origin) = self.vertices.first() else { return 0.0 };
+        let signed = |edge: Edge| {
+            let chord = traverse_geometry::cross(edge.start() - origin, edge.end() - origin) / 2.0;
+            match edge {
+                Edge::Segment(_) => chord,
+                Edge::Arc(arc) => chord + arc.radius * arc.radius * (arc.sweep - arc.sweep.sin()) / 2.0,
+            }
+        };
+        self.edges().map(signed).sum::<f64>().abs()
+    }
+
+    /// Bounding box.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        self.edges().fold(Bounds::EMPTY, |bounds, edge| bounds.union(edge.bounds()))
+    }
+
+    fn of_curve(curve: &Curve, first_curve: usize) -> Self {
+        Self { vertices: curve.vertices.clone(), bulges: curve.bulges.clone(), first_curve }
+    }
+}
+
+/// Joins `curves`, all of one layer, to loops. Closed curves are loops by themselves.
+///
+/// The result does not depend on the order or direction of the curves but for where each loop begins, which way it
+/// runs and in which order the loops come.
+#[must_use]
+pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
+    let mut joined = Joined::default();
+    let mut report = |place: Point, fault: Fault| {
+        joined.findings.push(DrawingFinding { layer: layer.to_owned(), place, fault })
+    };
+
+    let open: Vec<usize> = (0..curves.len()).filter(|&i| !curves[i].closed).collect();
+    let ends: Vec<Point> = open
+        .iter()
+        .flat_map(|&i| [curves[i].vertices[0], curves[i].vertices[curves[i].vertices.len() - 1]])
+        .collect();
+    let snapped = snap(&ends, tolerance_mm);
+    let mut links = Vec::with_capacity(open.len());
+    let mut loops: Vec<Loop> = Vec::new();
+    for (slot, &curve) in open.iter().enumerate() {
+        let [from, to] = [snapped.vertex_of[2 * slot], snapped.vertex_of[2 * slot + 1]];
+        if from != to {
+            links.push(chain::Link { curve, from, to });
+        } else if curves[curve].length() <= 4.0 * tolerance_mm {
+            report(ends[2 * slot], Fault::TooShort { length_mm: curves[curve].length() });
+        } else {
+            loops.extend(chain::closed_by_itself(&curves[curve], curve, snapped.vertices[from]));
+        }
+    }
+    let links = duplicate::without_repeated_links(links, curves, tolerance_mm, &mut |curve| {
+        report(curves[curve].vertices[0], Fault::Duplicate);
+    });
+    let found = chains(&links, snapped.vertices.len());
+    for vertex in found.junctions {
+        report(snapped.vertices[vertex], Fault::Junction { ends: found.ends[vertex] });
+    }
+    for chain in &found.chains {
+        if chain.closed {
+            loops.push(chain.to_loop(&links, curves, &snapped.vertices));
+        } else if let Some((place, fault)) = open_chain(chain, &links, curves, &snapped.vertices, &found.ends)
+        {
+            report(place, fault);
+        }
+    }
+    loops.extend(
+        curves
+            .iter()
+            .enumerate()
+            .filter(|(_, curve)| curve.closed)
+            .map(|(i, curve)| Loop::of_curve(curve, i)),
+    );
+    loops.sort_by_key(|each| each.first_curve);
+    joined.loops = duplicate::without_repeated_loops(loops, tolerance_mm, &mut |place| {
+        report(place, Fault::Duplicate);
+    });
+    joined
+}
+
+/// What to say of an open chain: nothing when both its ends lie on junctions, which are reported anyway.
+fn open_chain(
+    chain: &Chain,
+    links: &[chain::Link],
+    curves: &[Curve],
+    vertices: &[Point],
+    ends: &[usize],
+) -> Option<(Point, Fault)> {
+    let (first, last) = chain.ends(links);
+    let (loose, other) = if ends[last] == 1 { (last, first) } else { (first, last) };
+    if ends[loose] != 1 {
+        return None;
+    }
+    let length_mm = chain.steps.iter().map(|step| curves[links[step.link].curve].length()).sum();
+    let (place, other_end) = (vertices[loose], vertices[other]);
+    Some((place, Fault::OpenChain { other_end, gap_mm: (place - other_end).norm(), length_mm }))
+}

@@ -1,0 +1,97 @@
+//! Obstacles from the loops of one layer.
+
+use crate::scene_from_drawing::LayerLoops;
+use crate::{DrawingFinding, Fault};
+use traverse_geometry::{Finding, Obstacle, Point, Polygon, Ring};
+
+/// The obstacles of a layer, outermost loops and islands, in the order in which they were drawn.
+pub(crate) fn obstacles_of(layer: &LayerLoops<'_>, findings: &mut Vec<DrawingFinding>) -> Vec<Obstacle> {
+    let mut shapes: Vec<(usize, Polygon)> = Vec::new();
+    let mut outers: Vec<usize> = layer.forest.roots().collect();
+    while let Some(outer) = outers.pop() {
+        let children = &layer.forest.children[outer];
+        let Some(outer_ring) = layer.ring(outer, findings) else {
+            // What lies in a loop that is no ring stands for itself.
+            outers.extend(children);
+            continue;
+        };
+        let mut holes = Vec::new();
+        for &child in children {
+            let Some(hole) = layer.ring(child, findings) else {
+                outers.extend(&layer.forest.children[child]);
+                continue;
+            };
+            match Polygon::new(outer_ring.clone(), vec![hole.clone()]) {
+                Ok(_) => {
+                    outers.extend(&layer.forest.children[child]);
+                    holes.push(hole);
+                }
+                Err(why) => {
+                    let fault = |finding| Fault::CrossingLoops { finding };
+                    findings.extend(layer.findings_at(child, why, fault));
+                    outers.push(child);
+                }
+            }
+        }
+        let shape = Polygon::new(outer_ring.clone(), holes).unwrap_or_else(|why| {
+            // Holes that cross one another: none is taken, so that nothing drawn becomes passable by accident.
+            findings.extend(layer.findings_at(outer, why, |finding| Fault::CrossingLoops { finding }));
+            Polygon::from_ring(outer_ring)
+        });
+        shapes.push((outer, shape));
+    }
+    shapes.sort_by_key(|(outer, _)| *outer);
+    let numbered = shapes.into_iter().zip(1..);
+    numbered
+        .map(|((_, shape), number)| Obstacle {
+            id: format!("{}/{number}", layer.layer),
+            shape,
+            clearance_mm: None,
+        })
+        .collect()
+}
+
+impl LayerLoops<'_> {
+    /// The loop as a valid ring; otherwise everything that is wrong is a finding.
+    pub(crate) fn ring(&self, each: usize, findings: &mut Vec<DrawingFinding>) -> Option<Ring> {
+        let found = &self.loops[each];
+        let straight = found.bulges.iter().all(|&bulge| bulge == 0.0);
+        let bulges = if straight { Vec::new() } else { found.bulges.clone() };
+        Ring::new(found.vertices.clone(), bulges)
+            .map_err(|why| {
+                findings.extend(self.findings_at(each, why, |finding| Fault::InvalidLoop { finding }))
+            })
+            .ok()
+    }
+
+    /// What geometry says, with the layer and the place.
+    pub(crate) fn findings_at(
+        &self,
+        each: usize,
+        why: Vec<Finding>,
+        fault: impl Fn(Finding) -> Fault,
+    ) -> Vec<DrawingFinding> {
+        let place = |finding: &Finding| self.place_of(each, finding);
+        let with_place = why.into_iter().map(|finding| (place(&finding), finding));
+        with_place
+            .map(|(place, finding)| DrawingFinding {
+                layer: self.layer.to_owned(),
+                place,
+                fault: fault(finding),
+            })
+            .collect()
+    }
+
+    /// The vertex that the finding names by number, otherwise the first one.
+    fn place_of(&self, each: usize, finding: &Finding) -> Point {
+        let vertices = &self.loops[each].vertices;
+        let digits: String = finding
+            .field
+            .rsplit_once('[')
+            .map(|(_, number)| number.chars().take_while(char::is_ascii_digit).collect())
+            .unwrap_or_default();
+        let number = digits.parse::<usize>().unwrap_or(0);
+        let vertex = if finding.field.contains("xy_mm") { number / 2 } else { number };
+        vertices.get(vertex).copied().unwrap_or(vertices[0])
+    }
+}

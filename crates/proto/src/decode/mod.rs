@@ -1,0 +1,14 @@
+//! From the wire to the domain: once, validated, with every finding, or refused.
+
+mod check;
+mod effort;
+mod number;
+mod path;
+mod plan;
+mod reader;
+mod scene;
+mod shape;
+
+pub use check::CheckQuestion;
+pub use effort::requested_time_limit;
+pub use plan::PlanQuestion;

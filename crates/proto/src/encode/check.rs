@@ -1,0 +1,26 @@
+//! CheckRapidMove's answer.
+
+use super::path::point;
+use crate::v1;
+use traverse_checker::{PathCheck, Violation};
+
+/// The checker's findings as their message.
+#[must_use]
+pub fn check_answer(check: &PathCheck) -> v1::CheckRapidMoveResponse {
+    v1::CheckRapidMoveResponse {
+        violations: check.violations.iter().map(violation).collect(),
+        cost: check.cost,
+        smallest_margin_mm: check.smallest_margin_mm,
+    }
+}
+
+fn violation(violation: &Violation) -> v1::Violation {
+    v1::Violation {
+        field: violation.field.clone(),
+        reason: violation.reason.as_str().to_owned(),
+        message: violation.message.clone(),
+        amount: violation.amount,
+        at: violation.at.map(point),
+        obstacle_id: violation.obstacle.clone().unwrap_or_default(),
+    }
+}

@@ -1,0 +1,24 @@
+//! Points and paths.
+
+use crate::v1;
+use traverse_geometry::{Path, PathArc, PathStep, Point};
+
+pub(super) fn point(point: Point) -> v1::Point {
+    v1::Point { x_mm: point.x, y_mm: point.y }
+}
+
+pub(super) fn path(path: &Path) -> v1::Path {
+    v1::Path {
+        start: Some(point(path.start)),
+        steps: path.steps.iter().map(step).collect(),
+        length_mm: path.length(),
+    }
+}
+
+fn step(step: &PathStep) -> v1::PathStep {
+    v1::PathStep { end: Some(point(step.end)), arc: step.arc.as_ref().map(arc) }
+}
+
+fn arc(arc: &PathArc) -> v1::Arc {
+    v1::Arc { center: Some(point(arc.center)), clockwise: arc.sweep < 0.0, sweep_rad: arc.sweep.abs() }
+}

@@ -1,0 +1,48 @@
+//! PlanRapidMove's answer.
+
+use super::path::path;
+use crate::v1::{self, plan_rapid_move_response::Outcome};
+use std::time::Duration;
+use traverse_planner::{Answer, RapidPlan, Stats};
+
+/// The planner's answer as its message. `prepare` is the time before the search, `search` its own.
+#[must_use]
+pub fn plan_answer(answer: &Answer, stats: Stats, prepare: Duration, search: Duration) -> v1::PlanRapidMoveResponse {
+    let outcome = match answer {
+        Answer::Plan(plan) => Outcome::Plan(rapid_plan(plan)),
+        Answer::NoPath(no_path) => {
+            Outcome::NoPath(v1::NoPath { separating_obstacle_ids: no_path.separating_obstacles.clone() })
+        }
+    };
+    v1::PlanRapidMoveResponse {
+        outcome: Some(outcome),
+        stats: Some(v1::RapidStats {
+            barrier_vertex_count: count(stats.barrier_vertices),
+            expanded_node_count: count(stats.expanded_nodes),
+            prepare_duration: prepare.try_into().ok(),
+            search_duration: search.try_into().ok(),
+        }),
+    }
+}
+
+/// The answer to a sound request that was only to be validated.
+#[must_use]
+pub fn sound_answer() -> v1::PlanRapidMoveResponse {
+    v1::PlanRapidMoveResponse { outcome: None, stats: None }
+}
+
+fn rapid_plan(plan: &RapidPlan) -> v1::RapidPlan {
+    v1::RapidPlan {
+        path: Some(path(&plan.path)),
+        cost: plan.cost,
+        cost_unit: v1::CostUnit::Mm.into(),
+        lower_bound: plan.lower_bound,
+        clearance_mm: plan.clearance_mm,
+        bending_obstacle_ids: plan.bending_obstacles.clone(),
+        alternatives: plan.alternatives.iter().map(path).collect(),
+    }
+}
+
+fn count(count: u64) -> i64 {
+    i64::try_from(count).unwrap_or(i64::MAX)
+}
