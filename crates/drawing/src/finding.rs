@@ -66,7 +66,7 @@ impl fmt::Display for Fault {
         match self {
             Self::OpenChain { other_end, gap_mm, length_mm } => write!(
                 f,
-                "open chain of {length_mm:.3} mm, ending at {:.3},{:.3} after a gap of {gap_mm:.4} mm; close it or raise the joining tolerance",
+                "open chain of {length_mm:.3} mm; its other end lies at {:.3},{:.3}, a gap of {gap_mm:.4} mm; close it",
                 other_end.x, other_end.y
             ),
             Self::Junction { ends } => {

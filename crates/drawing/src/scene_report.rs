@@ -30,6 +30,9 @@ pub struct SceneReport {
     pub unused: Vec<Unused>,
 }
 
+/// So many findings are listed when a report is printed.
+const LISTED_FINDINGS: usize = 20;
+
 /// What a layer was used for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LayerUse {
@@ -67,7 +70,7 @@ impl SceneReport {
 }
 
 impl fmt::Display for SceneReport {
-    /// One line per layer, finding and kind of unused entity.
+    /// One line per layer, finding and kind of unused entity; of the findings the first 20.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let assumed = if self.unit_assumed { " (assumed: the file names none)" } else { "" };
         writeln!(f, "unit: {}{assumed}", self.unit)?;
@@ -82,8 +85,11 @@ impl fmt::Display for SceneReport {
         for pattern in &self.unmatched_patterns {
             writeln!(f, "no layer fits {pattern}")?;
         }
-        for finding in &self.findings {
+        for finding in self.findings.iter().take(LISTED_FINDINGS) {
             writeln!(f, "{finding}")?;
+        }
+        if self.findings.len() > LISTED_FINDINGS {
+            writeln!(f, "and {} findings more", self.findings.len() - LISTED_FINDINGS)?;
         }
         for unused in &self.unused {
             writeln!(f, "not used: {unused}")?;

@@ -33,8 +33,9 @@ mod status;
 mod text;
 
 /// Generated from `proto/traverse/v1`; the comments are the contract's.
-#[expect(missing_docs, reason = "generated clients and servers carry no comments everywhere")]
+
 #[allow(
+    missing_docs,
     clippy::all,
     clippy::unwrap_used,
     clippy::uninlined_format_args,

@@ -14,15 +14,16 @@ pub(crate) fn text() -> String {
         "MARKS",
         &[(560.0, 250.0, 0.25), (690.0, 300.0, 0.3), (700.0, 318.0, -0.22), (555.0, 266.0, 0.6)],
     );
-    for (x, y, degrees) in [(300.0, 420.0, 8.0), (560.0, 600.0, 186.0), (830.0, 400.0, -12.0)] {
+    // Uppers with a tongue nested in the opening of each, and one tongue more.
+    for (x, y, degrees) in [(345.0, 440.0, 8.0), (570.0, 590.0, 186.0), (840.0, 400.0, -12.0)] {
         dxf.loose_loop("PIECES", &placed(&VAMP, x, y, degrees));
+        let opening = placed(&[(0.0, -55.0, 0.0)], x, y, degrees)[0];
+        dxf.loose_loop("PIECES", &placed(&TONGUE, opening.0, opening.1, degrees));
     }
-    for (x, y, degrees) in [(330.0, 330.0, 98.0), (520.0, 430.0, 75.0), (1010.0, 330.0, 60.0)] {
-        dxf.loose_loop("PIECES", &placed(&TONGUE, x, y, degrees));
-    }
+    dxf.loose_loop("PIECES", &placed(&TONGUE, 1050.0, 350.0, 40.0));
     // A strap with its buckle hole.
-    dxf.loose_loop("PIECES", &placed(&STRAP, 700.0, 180.0, 6.0));
-    dxf.loose_loop("PIECES", &placed(&BUCKLE_HOLE, 700.0, 180.0, 6.0));
+    dxf.loose_loop("PIECES", &placed(&STRAP, 690.0, 205.0, 4.0));
+    dxf.loose_loop("PIECES", &placed(&BUCKLE_HOLE, 690.0, 205.0, 4.0));
     dxf.finish("Hide with marks and nested pieces, millimetres, single lines and arcs.")
 }
 

@@ -1,0 +1,68 @@
+//! Work area, barriers and obstacles.
+
+use super::Shown;
+use super::frame::Frame;
+use super::outline::polygon_data;
+use super::style::BARRIER_LINE;
+use super::text::escaped;
+use std::fmt::Write;
+use traverse_geometry::{CornerStyle, MITER_RATIO_LIMIT, Scene};
+
+pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &Frame) {
+    let obstacles: Vec<String> =
+        scene.obstacles.iter().map(|obstacle| polygon_data(&obstacle.shape, frame)).collect();
+    let border = scene.work_area.as_ref().map(|area| polygon_data(area, frame));
+    if let Some(border) = &border {
+        let area = &frame.area;
+        let _ = writeln!(
+            svg,
+            "<rect class=\"outside\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>\n\
+             <path class=\"inside\" fill-rule=\"evenodd\" d=\"{border}\"/>\n\
+             <clipPath id=\"work-area\"><path clip-rule=\"evenodd\" d=\"{border}\"/></clipPath>",
+            area.left,
+            area.top,
+            area.right - area.left,
+            area.bottom - area.top
+        );
+    }
+    // All rims first, then all barriers: what remains of the rims is the outline of the union.
+    for (class, rim) in [("rim", 2.0 * BARRIER_LINE), ("barrier", 0.0)] {
+        // Where the tool may not be at all, barriers say nothing.
+        let clip = if border.is_some() { " clip-path=\"url(#work-area)\"" } else { "" };
+        let _ = writeln!(svg, "<g class=\"{class}\"{}{clip}>", joins(scene.corner_style));
+        for (obstacle, data) in scene.obstacles.iter().zip(&obstacles) {
+            stroke(svg, data, 2.0 * scene.clearance_of(obstacle) * frame.scale, rim);
+        }
+        if let Some(border) = &border {
+            let width = 2.0 * scene.border_clearance() * frame.scale;
+            stroke(svg, border, width, rim);
+        }
+        svg.push_str("</g>\n");
+    }
+    for (obstacle, data) in scene.obstacles.iter().zip(&obstacles) {
+        let class = if shown.parts(&obstacle.id) { "obstacle parts" } else { "obstacle" };
+        let id = escaped(&obstacle.id);
+        let _ = writeln!(svg, "<path class=\"{class}\" d=\"{data}\"><title>{id}</title></path>");
+    }
+    if let Some(border) = &border {
+        let class = if shown.parts("work_area") { "border parts" } else { "border" };
+        let _ = writeln!(svg, "<path class=\"{class}\" d=\"{border}\"/>");
+    }
+}
+
+/// The band within the clearance of a border; none for clearance 0.
+fn stroke(svg: &mut String, data: &str, width: f64, rim: f64) {
+    if width > 0.0 {
+        let _ = writeln!(svg, "<path d=\"{data}\" stroke-width=\"{:.2}\"/>", width + rim);
+    }
+}
+
+fn joins(style: CornerStyle) -> String {
+    match style {
+        CornerStyle::Round => String::from(" stroke-linejoin=\"round\""),
+        CornerStyle::Miter { limit } => {
+            let limit = limit.unwrap_or(MITER_RATIO_LIMIT).max(1.0);
+            format!(" stroke-linejoin=\"miter\" stroke-miterlimit=\"{limit}\"")
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Requests, for clients that plan from domain types.
+
+use super::path;
+use crate::v1;
+use traverse_geometry::{CornerStyle, Obstacle, Path, Polygon, Ring, Scene};
+use traverse_planner::{Algorithm, RapidMove};
+
+/// The request that asks for `query` in `scene`, within the default effort.
+#[must_use]
+pub fn plan_request(scene: &Scene, query: &RapidMove) -> v1::PlanRapidMoveRequest {
+    let algorithm = match query.algorithm {
+        Algorithm::Exact => v1::RapidAlgorithm::Exact,
+        Algorithm::SupportingLines => v1::RapidAlgorithm::SupportingLines,
+    };
+    v1::PlanRapidMoveRequest {
+        scene: Some(self::scene(scene)),
+        start: Some(path::point(query.start)),
+        target: Some(path::point(query.target)),
+        rules: Some(v1::RapidRules { algorithm: algorithm.into(), options: None }),
+        validate_only: false,
+    }
+}
+
+/// The request that asks whether `path` answers `request`.
+#[must_use]
+pub fn check_request(request: v1::PlanRapidMoveRequest, path: &Path) -> v1::CheckRapidMoveRequest {
+    v1::CheckRapidMoveRequest { request: Some(request), path: Some(path::path(path)), tolerance_mm: None }
+}
+
+fn scene(scene: &Scene) -> v1::Scene {
+    let (corner_style, miter_limit) = match scene.corner_style {
+        CornerStyle::Round => (v1::CornerStyle::Round, None),
+        CornerStyle::Miter { limit } => (v1::CornerStyle::Miter, limit),
+    };
+    v1::Scene {
+        work_area: scene.work_area.as_ref().map(polygon),
+        obstacles: scene.obstacles.iter().map(obstacle).collect(),
+        clearance_mm: scene.clearance_mm,
+        corner_style: corner_style.into(),
+        work_area_clearance_mm: scene.work_area_clearance_mm,
+        miter_limit,
+    }
+}
+
+fn obstacle(obstacle: &Obstacle) -> v1::Obstacle {
+    v1::Obstacle {
+        id: obstacle.id.clone(),
+        shape: Some(polygon(&obstacle.shape)),
+        clearance_mm: obstacle.clearance_mm,
+    }
+}
+
+fn polygon(polygon: &Polygon) -> v1::Polygon {
+    v1::Polygon { outer: Some(ring(polygon.outer())), holes: polygon.holes().iter().map(ring).collect() }
+}
+
+fn ring(ring: &Ring) -> v1::Ring {
+    v1::Ring {
+        xy_mm: ring.vertices().iter().flat_map(|p| [p.x, p.y]).collect(),
+        bulges: ring.bulges().to_vec(),
+    }
+}
