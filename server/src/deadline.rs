@@ -23,16 +23,33 @@ pub(crate) struct TimeLimits {
 }
 
 impl TimeLimits {
-    /// How long after its arrival a call has to be answered.
-    pub(crate) fn of_call(&self, body: Option<Duration>, transport: Option<Duration>) -> Duration {
-        let transport = transport.map(less_reserve);
-        let asked = match (body, transport) {
-            (None, None) => self.default,
-            (Some(only), None) | (None, Some(only)) => only,
-            (Some(body), Some(transport)) => body.min(transport),
+    /// When a call has to be answered. `arrival` is when its head came, `read_at` when all of it was there: a slow line does
+    /// not use up what the request gives the engine. Absent: the clock can't express it.
+    pub(crate) fn deadline(&self, asked: &Asked) -> Option<Instant> {
+        let own = match (asked.body, asked.transport) {
+            (None, Some(_)) => self.longest,
+            (body, _) => body.unwrap_or(self.default).min(self.longest),
         };
-        asked.min(self.longest)
+        let own = asked.read_at.checked_add(own);
+        let transport = asked.transport.and_then(|timeout| asked.arrival.checked_add(less_reserve(timeout)));
+        match (own, transport) {
+            (Some(own), Some(transport)) => Some(own.min(transport)),
+            (one, other) => one.or(other),
+        }
     }
+}
+
+/// How long a caller is ready to wait.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked {
+    /// When the head of the call came.
+    pub(crate) arrival: Instant,
+    /// When all of it had come.
+    pub(crate) read_at: Instant,
+    /// The time limit in the request.
+    pub(crate) body: Option<Duration>,
+    /// The timeout of the call.
+    pub(crate) transport: Option<Duration>,
 }
 
 /// A timeout so short that the reserve would eat it is halved instead.
@@ -75,11 +92,6 @@ pub(crate) fn to_grpc_timeout(timeout: Duration) -> String {
     }
 }
 
-/// The moment `limit` after `arrival`; absent when the clock can't express it.
-pub(crate) fn moment(arrival: Instant, limit: Duration) -> Option<Instant> {
-    arrival.checked_add(limit)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,15 +100,22 @@ mod tests {
 
     #[test]
     fn the_shortest_counts() {
+        let arrival = Instant::now();
+        let read_at = arrival + Duration::from_secs(1);
+        let after_arrival = |body, transport| {
+            let deadline = LIMITS.deadline(&Asked { arrival, read_at, body, transport });
+            deadline.expect("near enough").duration_since(arrival)
+        };
         let seconds = |s| Some(Duration::from_secs(s));
-        assert_eq!(LIMITS.of_call(None, None), Duration::from_secs(10));
-        assert_eq!(LIMITS.of_call(seconds(20), None), Duration::from_secs(20));
-        assert_eq!(LIMITS.of_call(seconds(100), None), Duration::from_secs(60));
-        assert_eq!(LIMITS.of_call(seconds(5), seconds(30)), Duration::from_secs(5));
-        assert_eq!(LIMITS.of_call(seconds(5), seconds(2)), Duration::from_secs(2) - ANSWER_RESERVE);
-        assert_eq!(LIMITS.of_call(None, seconds(30)), Duration::from_secs(30) - ANSWER_RESERVE);
-        assert_eq!(LIMITS.of_call(None, Some(Duration::from_millis(60))), Duration::from_millis(30));
-        assert_eq!(LIMITS.of_call(seconds(0), None), Duration::ZERO);
+        assert_eq!(after_arrival(None, None), Duration::from_secs(11));
+        assert_eq!(after_arrival(seconds(20), None), Duration::from_secs(21));
+        assert_eq!(after_arrival(seconds(100), None), Duration::from_secs(61));
+        assert_eq!(after_arrival(seconds(5), seconds(30)), Duration::from_secs(6));
+        assert_eq!(after_arrival(seconds(5), seconds(2)), Duration::from_secs(2) - ANSWER_RESERVE);
+        assert_eq!(after_arrival(None, seconds(30)), Duration::from_secs(30) - ANSWER_RESERVE);
+        assert_eq!(after_arrival(None, Some(Duration::from_millis(60))), Duration::from_millis(30));
+        assert_eq!(after_arrival(seconds(0), None), Duration::from_secs(1));
+        assert_eq!(after_arrival(None, Some(Duration::MAX)), Duration::from_secs(61));
     }
 
     #[test]

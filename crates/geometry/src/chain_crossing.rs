@@ -8,7 +8,6 @@
 use crate::box_tree::Work;
 use crate::loops::Loops;
 use crate::{Orientation, Point, orientation};
-use std::ops::ControlFlow;
 
 /// One passage of a chain through a point: on edge `edge`, at its start or between its ends.
 #[derive(Clone, Copy)]
@@ -35,70 +34,76 @@ impl Visit {
 }
 
 /// Whether the chains of visits `a` and `b` pass through each other at `p` or along the way that they share from
-/// there in the direction of `a`. All edges at both visits are straight.
+/// there. All edges at both visits are straight. A shared way counts at one of its ends only.
 pub(crate) fn pass_through(loops: &Loops, p: Point, a: Visit, b: Visit, work: &mut Work) -> bool {
     let (a_back, a_ahead) = (a.back(loops), a.ahead(loops));
     let (b_back, b_ahead) = (b.back(loops), b.ahead(loops));
     if same_ray(p, a_back, a_ahead) || same_ray(p, b_back, b_ahead) {
         return false;
     }
-    let forth = same_ray(p, a_ahead, b_ahead);
-    let against = same_ray(p, a_ahead, b_back);
-    let behind = same_ray(p, a_back, b_back) || same_ray(p, a_back, b_ahead);
-    match (forth || against, behind) {
-        (false, false) => in_sector(p, a_ahead, b_back, a_back) != in_sector(p, a_ahead, b_ahead, a_back),
-        // The shared way begins here, as seen by `a`.
-        (true, false) => {
-            let b_from = if forth { b_back } else { b_ahead };
-            let starts_left = in_sector(p, a_ahead, b_from, a_back);
-            ends_left(loops, p, a.edge, b, forth, work).is_some_and(|left| left != starts_left)
+    let (together_ahead, together_back) = (same_ray(p, a_ahead, b_ahead), same_ray(p, a_back, b_back));
+    let (a_against_b, b_against_a) = (same_ray(p, a_ahead, b_back), same_ray(p, b_ahead, a_back));
+    match (together_ahead, together_back, a_against_b, b_against_a) {
+        (false, false, false, false) => {
+            in_sector(p, a_ahead, b_back, a_back) != in_sector(p, a_ahead, b_ahead, a_back)
         }
-        // In the middle of a shared way or at its end: decided from where it begins.
-        (_, true) => false,
+        (true, false, ..) => parts_across(loops, p, a, b, Sense::Along, work),
+        (_, _, true, false) => parts_across(loops, p, a, b, Sense::Against, work),
+        (_, _, false, true) => parts_across(loops, p, b, a, Sense::Against, work),
+        // In the middle of a shared way, or at its end.
+        _ => false,
     }
 }
 
-/// Follows the shared way from `p` along edge `a` and says whether `b` leaves it to the left of `a`. None: it ends
-/// in an antenna.
-fn ends_left(
-    loops: &Loops,
-    mut p: Point,
-    mut a: usize,
-    b: Visit,
-    forth: bool,
-    work: &mut Work,
-) -> Option<bool> {
-    let mut b = if forth { b.edge } else { b.incoming(loops) };
-    // `b` runs along its edge when `forth`, against it otherwise.
-    let b_target = |edge: usize| if forth { loops.next(edge) } else { edge };
+/// How a chain runs on a shared way, as seen from the other one.
+#[derive(Clone, Copy, PartialEq)]
+enum Sense {
+    Along,
+    Against,
+}
+
+/// Whether `b` leaves the way that it shares with `a` from `start` on, in the direction of `a`, to the other side of
+/// `a` than it has at `start`. A way that ends in an antenna has no sides.
+fn parts_across(loops: &Loops, start: Point, a: Visit, b: Visit, sense: Sense, work: &mut Work) -> bool {
+    // Where an edge of `b` leads to, and what follows it, in the direction of `a`.
+    let b_target = |edge: usize| if sense == Sense::Along { loops.next(edge) } else { edge };
+    let b_after = |vertex: usize| if sense == Sense::Along { vertex } else { loops.previous(vertex) };
+    let b_from = if sense == Sense::Along { b.back(loops) } else { b.ahead(loops) };
+    let starts_left = in_sector(start, a.ahead(loops), b_from, a.back(loops));
+    let first_visits = (a.edge.min(b.edge), a.edge.max(b.edge));
+    let (mut p, mut a) = (start, a.edge);
+    let mut b = if sense == Sense::Along { b.edge } else { b.incoming(loops) };
     for _ in 0..=2 * loops.len() {
-        if let ControlFlow::Break(()) = work.spend(1) {
-            return None;
+        if work.spend(1).is_break() {
+            return false;
         }
         let (a_vertex, b_vertex) = (loops.next(a), b_target(b));
         let (to_a, to_b) = (loops.vertex(a_vertex), loops.vertex(b_vertex));
         let (a_arrives, b_arrives) = (is_between(p, to_a, to_b), is_between(p, to_b, to_a));
         if a_arrives && b_arrives && a_vertex == b_vertex {
-            return None;
+            return false;
         }
-        let back = p;
+        let (back, mut b_visit) = (p, b);
         if a_arrives {
             p = to_a;
             a = a_vertex;
         }
         if b_arrives {
             p = to_b;
-            b = if forth { b_vertex } else { loops.previous(b_vertex) };
+            b = b_after(b_vertex);
+            b_visit = b_vertex;
         }
         let (a_ahead, b_ahead) = (loops.vertex(loops.next(a)), loops.vertex(b_target(b)));
         if same_ray(p, a_ahead, back) || same_ray(p, b_ahead, back) {
-            return None;
+            return false;
         }
         if !same_ray(p, a_ahead, b_ahead) {
-            return Some(in_sector(p, a_ahead, b_ahead, back));
+            // Chains that run against each other begin to share at both ends of the way.
+            let counts = sense == Sense::Along || first_visits <= (a.min(b_visit), a.max(b_visit));
+            return counts && in_sector(p, a_ahead, b_ahead, back) != starts_left;
         }
     }
-    None
+    false
 }
 
 /// Whether the rays from `p` through `u` and through `v` are the same.

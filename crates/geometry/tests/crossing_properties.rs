@@ -93,7 +93,7 @@ fn traced(cells: &[bool], width: usize, turn_left: bool) -> Vec<Vec<Point>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn agrees_with_all_pairs(xy in prop::collection::vec((-1e3..1e3f64, -1e3..1e3f64), 3..14)) {

@@ -45,7 +45,7 @@ fn sampled(edge: &Edge) -> impl Iterator<Item = Point> + '_ {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn point_to_edge(edge in edges(), x in -20.0..20.0f64, y in -20.0..20.0f64) {
@@ -111,7 +111,7 @@ proptest! {
             let edge = ring.edge(i);
             prop_assert_eq!(ring.locate(edge.start()), Location::Border);
             let level = Point::new(x, edge.start().y);
-            let middle = nalgebra_center(edge.start(), edge.end());
+            let middle = middle_of(edge.start(), edge.end());
             for p in [level, middle] {
                 if ring.distance_to_point(p) > 1e-4 {
                     let aside = Point::new(p.x + 1e-6, p.y + 1.1e-6);
@@ -173,6 +173,6 @@ proptest! {
     }
 }
 
-fn nalgebra_center(a: Point, b: Point) -> Point {
+fn middle_of(a: Point, b: Point) -> Point {
     Point::new((a.x + b.x) / 2.0, (a.y + b.y) / 2.0)
 }

@@ -114,6 +114,17 @@ fn crossing_along_an_overlap() {
     assert!(valid(&back_up, &[]).touches_itself());
 }
 
+/// The shared way runs over vertex 0. Found by generated rings.
+#[test]
+fn crossing_along_an_overlap_at_the_first_vertex() {
+    let mut xy = vec![3.0, 1.0, 0.0, 0.0, 0.0, 1.0, 3.0, 1.0, 3.0, 2.0, 4.0, 0.0, 3.0, 3.0];
+    for _ in 0..7 {
+        let found = findings(&xy, &[]);
+        assert_eq!(found.iter().map(|finding| finding.reason).collect::<Vec<_>>(), [Reason::EdgesCross]);
+        xy.rotate_left(2);
+    }
+}
+
 #[test]
 fn weakly_simple_rings_are_taken() {
     // Keyhole: a slit of width 0 to an inner square run the other way.

@@ -70,7 +70,9 @@ pub struct Stats {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Refusal {
     /// Start or target lies inside a barrier.
-    #[error("{field} lies {depth_mm} mm inside the barrier of {obstacle}: move it out or lower the clearance")]
+    #[error(
+        "{field} lies {depth_mm} mm inside the barrier of {obstacle}: move it out or lower the clearance"
+    )]
     EndInsideBarrier {
         /// `start` or `target`.
         field: &'static str,

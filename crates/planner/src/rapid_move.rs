@@ -32,13 +32,17 @@ pub fn plan_rapid_move(
         |lower_bound: f64| move |interrupt: Interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
     let straight = (query.target - query.start).norm();
     let barriers = Barriers::new(scene, budget).map_err(interrupted(straight))?;
-    let (start, target) = both(stand(&barriers, "start", query.start), stand(&barriers, "target", query.target))?;
-    let mut solver = Solver { barriers: &barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
+    let (start, target) =
+        both(stand(&barriers, "start", query.start), stand(&barriers, "target", query.target))?;
+    let mut solver =
+        Solver { barriers: &barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
     let solved = solver.solve(&start, &target).map_err(interrupted(solver.lower_bound))?;
     let stats = solver.stats;
     let (path, bending_obstacles) = match solved {
         Solved::Path(path, bending) => (path, bending),
-        Solved::Parted(separating_obstacles) => return Ok((Answer::NoPath(NoPath { separating_obstacles }), stats)),
+        Solved::Parted(separating_obstacles) => {
+            return Ok((Answer::NoPath(NoPath { separating_obstacles }), stats));
+        }
     };
     let cost = path.length();
     let exact = RapidPlan {
@@ -73,7 +77,10 @@ fn published(candidates: Vec<Path>, exact: RapidPlan) -> RapidPlan {
     }
 }
 
-fn both(start: Result<End, Vec<Refusal>>, target: Result<End, Vec<Refusal>>) -> Result<(End, End), Vec<Refusal>> {
+fn both(
+    start: Result<End, Vec<Refusal>>,
+    target: Result<End, Vec<Refusal>>,
+) -> Result<(End, End), Vec<Refusal>> {
     match (start, target) {
         (Ok(start), Ok(target)) => Ok((start, target)),
         (start, target) => Err([start.err(), target.err()].into_iter().flatten().flatten().collect()),

@@ -1,9 +1,9 @@
 //! Where start and target stand: outside every barrier, or how far inside which.
 
+use crate::Refusal;
 use crate::barrier::{Blocker, miter_gauge};
 use crate::barriers::Barriers;
 use crate::search::End;
-use crate::Refusal;
 use traverse_geometry::{
     CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, Vector, left_of,
 };
@@ -60,7 +60,8 @@ fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
     let depth = if inside {
         clearance.asked + distance()
     } else if mitred {
-        let gauge = barriers.outlines(owner).filter_map(|outline| miter_gauge(outline.ring, point, clearance));
+        let gauge =
+            barriers.outlines(owner).filter_map(|outline| miter_gauge(outline.ring, point, clearance));
         clearance.asked - gauge.fold(clearance.asked, f64::min)
     } else {
         clearance.asked - distance()
@@ -139,7 +140,8 @@ fn is_clear(barriers: &Barriers<'_>, place: Point) -> bool {
 fn is_beside(barriers: &Barriers<'_>, point: Point, place: Point) -> bool {
     let between = Edge::Segment(Segment::new(point, place));
     let parted = barriers.whole.near(&between).any(|blocker| {
-        blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM && blocker.edge.distance(&between) == 0.0
+        blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
+            && blocker.edge.distance(&between) == 0.0
     });
     !parted && (0..barriers.owner_count()).all(|owner| depth(barriers, owner, place).is_none())
 }

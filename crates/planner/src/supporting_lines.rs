@@ -22,7 +22,9 @@ use traverse_geometry::{CornerStyle, Orientation, Path, Point, Ring, Scene, left
 /// mitred corners or clearance 0, no work area, and both ends outside the barrier's convex hull.
 pub(crate) fn supporting_lines(scene: &Scene, start: Point, target: Point) -> Result<Vec<Path>, Refusal> {
     let not = |why| Refusal::PublishedMethodNotApplicable { why };
-    let [obstacle] = scene.obstacles.as_slice() else { return Err(not("the scene must hold exactly one obstacle")) };
+    let [obstacle] = scene.obstacles.as_slice() else {
+        return Err(not("the scene must hold exactly one obstacle"));
+    };
     let clearance = scene.clearance_of(obstacle);
     if scene.work_area.is_some() {
         return Err(not("it knows no work area"));
@@ -99,7 +101,9 @@ fn scan(barrier: &[Point], start: Point, target: Point, turn: Turn) -> Option<Ve
         kept = (kept + 1..left.len()).rev().find(|&candidate| {
             let there = barrier[left[candidate]];
             there != here
-                && left[kept + 1..].iter().all(|&other| orientation(here, there, barrier[other]) != turn.outside())
+                && left[kept + 1..]
+                    .iter()
+                    .all(|&other| orientation(here, there, barrier[other]) != turn.outside())
         })?;
         points.push(barrier[left[kept]]);
     }
@@ -136,9 +140,8 @@ fn sees(barrier: &[Point], a: Point, b: Point) -> bool {
 }
 
 fn crosses_properly(a: Point, b: Point, c: Point, d: Point) -> bool {
-    let apart = |p: Orientation, q: Orientation| {
-        p != Orientation::Straight && q != Orientation::Straight && p != q
-    };
+    let apart =
+        |p: Orientation, q: Orientation| p != Orientation::Straight && q != Orientation::Straight && p != q;
     apart(orientation(a, b, c), orientation(a, b, d)) && apart(orientation(c, d, a), orientation(c, d, b))
 }
 

@@ -44,15 +44,17 @@ fn polygonised(ring: &Ring, pieces: u32, outside: bool) -> Polygon {
 fn arcs_lie_between_their_inscribed_and_circumscribed_polygons() {
     for case in 0..60 {
         let mut random = Seed(7).part(case).stream();
-        let rings: Vec<Ring> =
-            (0..6).map(|i| bulging(&mut random, point(f64::from(i % 3) * 30.0, f64::from(i / 3) * 30.0))).collect();
+        let rings: Vec<Ring> = (0..6)
+            .map(|i| bulging(&mut random, point(f64::from(i % 3) * 30.0, f64::from(i / 3) * 30.0)))
+            .collect();
         let clearance = [0.0, 2.0][case as usize % 2];
         // Round only: the mitres of a polygon's corners stand out beyond the arc.
         let build = |shapes: Vec<Polygon>| scene(shapes, clearance);
         let exact = build(rings.iter().cloned().map(Polygon::from_ring).collect());
         let inner = build(rings.iter().map(|ring| polygonised(ring, 40, false)).collect());
         let outer = build(rings.iter().map(|ring| polygonised(ring, 40, true)).collect());
-        let (start, target) = (point(-20.0, random.random_range(-20.0..50.0)), point(80.0, random.random_range(-20.0..50.0)));
+        let (start, target) =
+            (point(-20.0, random.random_range(-20.0..50.0)), point(80.0, random.random_range(-20.0..50.0)));
         let cost = |scene| plan(scene, start, target).cost;
         let (low, exact, high) = (cost(&inner), cost(&exact), cost(&outer));
         assert!(low <= exact + 1e-9 && exact <= high + 1e-9, "case {case}: {low} {exact} {high}");
@@ -69,7 +71,8 @@ fn offset(points: &[(f64, f64)], by: f64) -> Vec<(f64, f64)> {
                 let length = (b.0 - a.0).hypot(b.1 - a.1);
                 ((b.1 - a.1) / length, -(b.0 - a.0) / length)
             };
-            let (n1, n2) = (normal(points[(i + n - 1) % n], points[i]), normal(points[i], points[(i + 1) % n]));
+            let (n1, n2) =
+                (normal(points[(i + n - 1) % n], points[i]), normal(points[i], points[(i + 1) % n]));
             let opening = 1.0 + n1.0 * n2.0 + n1.1 * n2.1;
             (points[i].0 + by * (n1.0 + n2.0) / opening, points[i].1 + by * (n1.1 + n2.1) / opening)
         })
@@ -98,7 +101,8 @@ fn mitred_barriers_are_what_the_paper_draws() {
         let by = random.random_range(0.5..2.5);
         let obstacles = mitred(scene(convex.iter().map(|points| polygon(points)), by));
         let barriers = scene(convex.iter().map(|points| polygon(&offset(points, by))), 0.0);
-        let (start, target) = (point(-30.0, random.random_range(-5.0..55.0)), point(90.0, random.random_range(-5.0..55.0)));
+        let (start, target) =
+            (point(-30.0, random.random_range(-5.0..55.0)), point(90.0, random.random_range(-5.0..55.0)));
         assert_close(
             plan(&obstacles, start, target).cost,
             plan(&barriers, start, target).cost,
@@ -116,7 +120,8 @@ fn more_clearance_never_costs_less() {
         for clearance in [0.0, 0.5, 1.0, 2.0] {
             let base = scene(shapes.clone(), clearance);
             let (start, target) = (point(-20.0, 50.0), point(120.0, 50.0));
-            let cost = |scene: traverse_geometry::Scene| match support::answer(&scene, start, target).unwrap() {
+            let cost = |scene: traverse_geometry::Scene| match support::answer(&scene, start, target).unwrap()
+            {
                 traverse_planner::Answer::Plan(plan) => plan.cost,
                 traverse_planner::Answer::NoPath(_) => f64::INFINITY,
             };
@@ -138,7 +143,8 @@ fn every_budget_ends_the_work_with_a_bound() {
     let (start, target) = (point(-20.0, -20.0), point(320.0, 320.0));
     let straight = (target - start).norm();
     let ask = |budget: &Budget| {
-        plan_rapid_move(&maze(), &query(start, target), budget, &mut Silent).map_err(|refusals| refusals[0].clone())
+        plan_rapid_move(&maze(), &query(start, target), budget, &mut Silent)
+            .map_err(|refusals| refusals[0].clone())
     };
     let cancelled = Budget { cancel: CancelToken::new(), ..Budget::unlimited() };
     cancelled.cancel.cancel();

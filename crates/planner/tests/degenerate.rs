@@ -72,7 +72,15 @@ fn an_end_where_obstacles_touch_leaves_on_either_side() {
 fn an_end_in_a_narrow_notch_gets_out() {
     // A notch of 11 degrees and one of 0.1 degrees.
     for half in [1.0, 0.01] {
-        let notch = polygon(&[(-20.0, -5.0), (20.0, -5.0), (20.0, 10.0), (half, 10.0), (0.0, 0.0), (-half, 10.0), (-20.0, 10.0)]);
+        let notch = polygon(&[
+            (-20.0, -5.0),
+            (20.0, -5.0),
+            (20.0, 10.0),
+            (half, 10.0),
+            (0.0, 0.0),
+            (-half, 10.0),
+            (-20.0, 10.0),
+        ]);
         let way = plan(&scene([notch], 0.0), point(0.0, 0.0), point(15.0, 10.0));
         assert_close(way.cost, (half * half + 100.0).sqrt() + 15.0 - half, "out of the notch");
     }
@@ -100,8 +108,17 @@ fn overlapping_and_equal_obstacles_are_one_barrier() {
 fn collinear_edges_and_repeated_vertices_change_nothing() {
     let plain = rectangle(0.0, 0.0, 9.0, 9.0);
     let busy = polygon(&[
-        (0.0, 0.0), (3.0, 0.0), (3.0, 0.0), (6.0, 0.0), (9.0, 0.0), (9.0, 4.0), (9.0, 9.0), (9.0, 9.0), (0.0, 9.0),
-        (0.0, 2.0), (0.0, 0.0),
+        (0.0, 0.0),
+        (3.0, 0.0),
+        (3.0, 0.0),
+        (6.0, 0.0),
+        (9.0, 0.0),
+        (9.0, 4.0),
+        (9.0, 9.0),
+        (9.0, 9.0),
+        (0.0, 9.0),
+        (0.0, 2.0),
+        (0.0, 0.0),
     ]);
     for clearance in [0.0, 2.0] {
         let (start, target) = (point(-4.0, 1.0), point(13.0, 8.0));
@@ -115,9 +132,14 @@ fn collinear_edges_and_repeated_vertices_change_nothing() {
 #[test]
 fn a_wall_of_no_width_is_a_wall() {
     // A square with an antenna on its right side: out to (20, 5) and back.
-    let antenna = polygon(&[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (20.0, 5.0), (10.0, 5.0), (10.0, 10.0), (0.0, 10.0)]);
+    let antenna =
+        polygon(&[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (20.0, 5.0), (10.0, 5.0), (10.0, 10.0), (0.0, 10.0)]);
     let walled = scene([antenna.clone()], 0.0);
-    assert_close(plan(&walled, point(15.0, 0.0), point(15.0, 10.0)).cost, 2.0 * 50.0_f64.sqrt(), "round its tip");
+    assert_close(
+        plan(&walled, point(15.0, 0.0), point(15.0, 10.0)).cost,
+        2.0 * 50.0_f64.sqrt(),
+        "round its tip",
+    );
     assert_close(plan(&walled, point(12.0, 5.0), point(25.0, 5.0)).cost, 13.0, "along it");
     let wide = scene([antenna], 1.0);
     let way = plan(&wide, point(15.0, 0.0), point(15.0, 10.0));
@@ -128,8 +150,18 @@ fn a_wall_of_no_width_is_a_wall() {
 fn a_slit_of_no_width_is_shut_and_a_keyhole_joins_a_hole() {
     // A ring of material about a hole, written as one weakly simple ring.
     let keyhole = polygon(&[
-        (0.0, 0.0), (30.0, 0.0), (30.0, 30.0), (0.0, 30.0), (0.0, 15.0), (10.0, 15.0), (10.0, 20.0), (20.0, 20.0),
-        (20.0, 10.0), (10.0, 10.0), (10.0, 15.0), (0.0, 15.0),
+        (0.0, 0.0),
+        (30.0, 0.0),
+        (30.0, 30.0),
+        (0.0, 30.0),
+        (0.0, 15.0),
+        (10.0, 15.0),
+        (10.0, 20.0),
+        (20.0, 20.0),
+        (20.0, 10.0),
+        (10.0, 10.0),
+        (10.0, 15.0),
+        (0.0, 15.0),
     ]);
     for clearance in [0.0, 0.5] {
         let shut = no_path(&scene([keyhole.clone()], clearance), point(15.0, 15.0), point(-5.0, 15.0));
@@ -149,9 +181,8 @@ fn a_ring_that_visits_a_vertex_twice_bends_paths_there() {
 
 #[test]
 fn a_slit_of_a_micrometre_is_open_until_the_clearance_fills_it() {
-    let slit = |clearance| {
-        scene([rectangle(-50.0, 0.0, 0.0, 10.0), rectangle(0.001, 0.0, 50.0, 10.0)], clearance)
-    };
+    let slit =
+        |clearance| scene([rectangle(-50.0, 0.0, 0.0, 10.0), rectangle(0.001, 0.0, 50.0, 10.0)], clearance);
     let (start, target) = (point(0.0005, -5.0), point(0.0005, 15.0));
     for clearance in [0.0, 0.0004, 0.0005] {
         assert_close(plan(&slit(clearance), start, target).cost, 20.0, "through");
@@ -172,8 +203,9 @@ fn a_micrometre_from_a_corner() {
 /// A 6 × 6 grid of squares, `gap` apart.
 fn grid(gap: f64, clearance: f64) -> Scene {
     let at = |i: u32| f64::from(i) * (10.0 + gap);
-    let squares =
-        (0..36).map(|i| rectangle(at(i % 6), at(i / 6), at(i % 6) + 10.0, at(i / 6) + 10.0)).collect::<Vec<_>>();
+    let squares = (0..36)
+        .map(|i| rectangle(at(i % 6), at(i / 6), at(i % 6) + 10.0, at(i / 6) + 10.0))
+        .collect::<Vec<_>>();
     scene(squares, clearance)
 }
 
@@ -188,7 +220,10 @@ fn gaps_of_exactly_twice_the_clearance_let_the_tool_through() {
     let (open, open_mitred) = through(2.0);
     for gap in [2.0_f64.next_up(), 2.0_f64.next_down(), 2.0 + 2.0 * CONTACT_TOLERANCE_MM] {
         let (round, miter) = through(gap);
-        assert!((round - open).abs() < 1e-4 && (miter - open_mitred).abs() < 1e-4, "{gap}: {round} {miter} {open}");
+        assert!(
+            (round - open).abs() < 1e-4 && (miter - open_mitred).abs() < 1e-4,
+            "{gap}: {round} {miter} {open}"
+        );
     }
     let (shut, shut_mitred) = through(2.0 - 2.0 * CONTACT_TOLERANCE_MM);
     assert!(shut > open + 1.0, "{shut} {open}");
@@ -316,16 +351,17 @@ fn a_hole_is_a_room() {
 fn rounded_corners_at_clearance_zero_are_a_smaller_block_with_clearance() {
     let r = 3.0;
     let (x1, y1, bulge) = (30.0, 20.0, (std::f64::consts::PI / 8.0).tan());
-    let vertices = [
-        (r, 0.0), (x1 - r, 0.0), (x1, r), (x1, y1 - r), (x1 - r, y1), (r, y1), (0.0, y1 - r), (0.0, r),
-    ];
+    let vertices =
+        [(r, 0.0), (x1 - r, 0.0), (x1, r), (x1, y1 - r), (x1 - r, y1), (r, y1), (0.0, y1 - r), (0.0, r)];
     let bulges = vec![0.0, bulge, 0.0, bulge, 0.0, bulge, 0.0, bulge];
     let rounded = Ring::new(vertices.map(|(x, y)| point(x, y)).to_vec(), bulges).unwrap();
     let inner = rectangle(r, r, x1 - r, y1 - r);
     for extra in [0.0, 2.0] {
         let a = scene([Polygon::from_ring(rounded.clone())], extra);
         let b = scene([inner.clone()], r + extra);
-        for (start, target) in [((-9.0, 4.0), (39.0, 11.0)), ((-9.0, 10.0), (15.0, 29.0)), ((15.0, -9.0), (15.0, 29.0))] {
+        for (start, target) in
+            [((-9.0, 4.0), (39.0, 11.0)), ((-9.0, 10.0), (15.0, 29.0)), ((15.0, -9.0), (15.0, 29.0))]
+        {
             let (start, target) = (point(start.0, start.1), point(target.0, target.1));
             assert_close(plan(&a, start, target).cost, plan(&b, start, target).cost, "rounded");
         }
@@ -375,7 +411,11 @@ fn obstacles_of_clearance_zero_stand_beside_others() {
 #[test]
 fn ids_of_what_bends_the_path_are_in_its_order() {
     let mut stair = scene([rectangle(0.0, -50.0, 10.0, 20.0), rectangle(30.0, 0.0, 40.0, 90.0)], 1.0);
-    stair.obstacles.push(Obstacle { id: "far".into(), shape: rectangle(90.0, 90.0, 91.0, 91.0), clearance_mm: None });
+    stair.obstacles.push(Obstacle {
+        id: "far".into(),
+        shape: rectangle(90.0, 90.0, 91.0, 91.0),
+        clearance_mm: None,
+    });
     assert_eq!(plan(&stair, point(-10.0, 0.0), point(60.0, 40.0)).bending_obstacles, ["o0", "o1"]);
     assert_eq!(plan(&stair, point(60.0, 40.0), point(-10.0, 0.0)).bending_obstacles, ["o1", "o0"]);
 }

@@ -77,7 +77,11 @@ fn every_shift_to_the_wrong_side_is_refused() {
         let mut random = Seed(11).part(case).stream();
         let mut shapes = stars(&mut random, 6, 100.0, 14.0);
         shapes.extend((0..3).map(|_| {
-            disc(random.random_range(0.0..100.0), random.random_range(0.0..100.0), random.random_range(3.0..9.0))
+            disc(
+                random.random_range(0.0..100.0),
+                random.random_range(0.0..100.0),
+                random.random_range(3.0..9.0),
+            )
         }));
         let base = scene(shapes, [0.0, 0.8, 2.5][case as usize % 3]);
         let scene = if case % 2 == 0 { base } else { mitred(base) };
@@ -92,7 +96,10 @@ fn every_shift_to_the_wrong_side_is_refused() {
         paths += 1;
         for (what, path) in mutations(&plan.path) {
             shifts += 1;
-            assert!(!accepted(&scene, start, target, &path), "case {case}: {what} was shifted unseen: {path:?}\n{scene:?}");
+            assert!(
+                !accepted(&scene, start, target, &path),
+                "case {case}: {what} was shifted unseen: {path:?}\n{scene:?}"
+            );
         }
     }
     assert!(paths > 80 && shifts > 1000, "{paths} paths, {shifts} shifts");

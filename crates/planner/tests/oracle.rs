@@ -28,10 +28,20 @@ fn taken_apart(scene: &Scene) -> (Vec<Circle>, Vec<Wall>) {
     (circles, walls)
 }
 
-fn compare(scene: &Scene, start: Point, target: Point, circles: &[Circle], walls: &[Wall], what: &str) -> bool {
+fn compare(
+    scene: &Scene,
+    start: Point,
+    target: Point,
+    circles: &[Circle],
+    walls: &[Wall],
+    what: &str,
+) -> bool {
     match answer(scene, start, target) {
         Err(refusals) => {
-            assert!(refusals.iter().all(|r| matches!(r, Refusal::EndInsideBarrier { .. })), "{what}: {refusals:?}");
+            assert!(
+                refusals.iter().all(|r| matches!(r, Refusal::EndInsideBarrier { .. })),
+                "{what}: {refusals:?}"
+            );
             false
         }
         Ok(Answer::Plan(plan)) => {
@@ -55,13 +65,18 @@ fn agrees_on_random_scenes_of_discs() {
         let clearance = if case % 3 == 0 { 0.0 } else { random.random_range(0.1..3.0) };
         let discs: Vec<(f64, f64, f64)> = (0..12)
             .map(|_| {
-                (random.random_range(0.0..100.0), random.random_range(0.0..100.0), random.random_range(2.0..14.0))
+                (
+                    random.random_range(0.0..100.0),
+                    random.random_range(0.0..100.0),
+                    random.random_range(2.0..14.0),
+                )
             })
             .collect();
         let scene = scene(discs.iter().map(|&(x, y, r)| disc(x, y, r)), clearance);
         let circles: Vec<Circle> =
             discs.iter().map(|&(x, y, r)| Circle { center: (x, y), radius: r + clearance }).collect();
-        let walls: Vec<Wall> = circles.iter().map(|c| Wall { a: c.center, b: c.center, distance: c.radius }).collect();
+        let walls: Vec<Wall> =
+            circles.iter().map(|c| Wall { a: c.center, b: c.center, distance: c.radius }).collect();
         let start = point(random.random_range(-10.0..110.0), random.random_range(-10.0..110.0));
         let target = point(random.random_range(-10.0..110.0), random.random_range(-10.0..110.0));
         compared += usize::from(compare(&scene, start, target, &circles, &walls, &format!("case {case}")));
@@ -115,7 +130,8 @@ fn agrees_at_clearance_zero_on_polygons_apart() {
         for wall in &mut walls {
             wall.distance = 6e-7;
         }
-        let (start, target) = (point(-5.0, random.random_range(0.0..90.0)), point(95.0, random.random_range(0.0..90.0)));
+        let (start, target) =
+            (point(-5.0, random.random_range(0.0..90.0)), point(95.0, random.random_range(0.0..90.0)));
         let at_zero: Vec<Circle> = circles.iter().map(|c| Circle { radius: 1e-6, ..*c }).collect();
         let Ok(Answer::Plan(plan)) = answer(&scene, start, target) else { panic!("case {case}") };
         // The oracle keeps a nanometre: its answer is longer by at most that, once per turn.
@@ -135,22 +151,20 @@ fn visibility_graph(obstacles: &[Obstacle], start: Point, target: Point) -> f64 
         nodes.extend(obstacle.shape.outer().vertices());
         edges.extend(obstacle.shape.outer().edges().map(|e| (e.start(), e.end())));
     }
-    let apart = |a: Orientation, b: Orientation| {
-        a != b && a != Orientation::Straight && b != Orientation::Straight
-    };
-    let inside = |p: Point| {
-        obstacles.iter().any(|o| o.shape.locate(p) == traverse_geometry::Location::Inside)
-    };
+    let apart =
+        |a: Orientation, b: Orientation| a != b && a != Orientation::Straight && b != Orientation::Straight;
+    let inside =
+        |p: Point| obstacles.iter().any(|o| o.shape.locate(p) == traverse_geometry::Location::Inside);
     let sees = |p: Point, q: Point| {
         p != q
             && !edges.iter().any(|&(a, b)| {
-                apart(orientation(p, q, a), orientation(p, q, b)) && apart(orientation(a, b, p), orientation(a, b, q))
+                apart(orientation(p, q, a), orientation(p, q, b))
+                    && apart(orientation(a, b, p), orientation(a, b, q))
             })
             && ![0.03, 0.5, 0.97].into_iter().any(|t| {
                 let p = p + (q - p) * t;
-                edges.iter().all(|&(a, b)| {
-                    traverse_geometry::Segment::new(a, b).distance_to_point(p) > 1e-9
-                }) && inside(p)
+                edges.iter().all(|&(a, b)| traverse_geometry::Segment::new(a, b).distance_to_point(p) > 1e-9)
+                    && inside(p)
             })
     };
     let n = nodes.len();
@@ -158,7 +172,9 @@ fn visibility_graph(obstacles: &[Obstacle], start: Point, target: Point) -> f64 
     let mut done = vec![false; n];
     best[0] = 0.0;
     loop {
-        let Some(at) = (0..n).filter(|&i| !done[i]).min_by(|&i, &j| best[i].total_cmp(&best[j])) else { break };
+        let Some(at) = (0..n).filter(|&i| !done[i]).min_by(|&i, &j| best[i].total_cmp(&best[j])) else {
+            break;
+        };
         if at == 1 || best[at].is_infinite() {
             break;
         }

@@ -80,8 +80,11 @@ fn what_the_paper_does_not_cover_is_refused() {
     let round = Scene { clearance_mm: 0.1, ..base.clone() };
     let bounded = Scene { work_area: Some(rectangle(-50.0, -50.0, 50.0, 50.0)), ..base.clone() };
     let arcs = scene([support::disc(6.0, 8.0, 2.0)], 0.0);
-    let cut = Scene { corner_style: CornerStyle::Miter { limit: Some(2.0) }, clearance_mm: 0.1, ..base.clone() };
-    for (scene, why) in [(two, "one obstacle"), (round, "mitred"), (bounded, "work area"), (arcs, "straight"), (cut, "limit")] {
+    let cut =
+        Scene { corner_style: CornerStyle::Miter { limit: Some(2.0) }, clearance_mm: 0.1, ..base.clone() };
+    for (scene, why) in
+        [(two, "one obstacle"), (round, "mitred"), (bounded, "work area"), (arcs, "straight"), (cut, "limit")]
+    {
         let refusals = scan(&scene, start, target).unwrap_err();
         assert!(
             matches!(refusals.as_slice(), [Refusal::PublishedMethodNotApplicable { why: said }] if said.contains(why)),

@@ -8,10 +8,12 @@ use super::style::SMALL;
 use super::text::{fitted, push_text, width_of};
 use std::f64::consts::TAU;
 use std::fmt::Write;
-use traverse_geometry::{Obstacle, Path, Point, Scene};
+use traverse_geometry::{Edge, Obstacle, Path, Point, Scene, Segment};
 
 /// A label that lies farther than this from what it names gets a line to it.
 const LEADER_FROM: f64 = 22.0;
+/// Distance between points of that line.
+const LEADER_STEP: f64 = 6.0;
 /// How far from its anchor a label is tried, canvas units.
 const REACH: [f64; 9] = [0.0, 14.0, 24.0, 36.0, 50.0, 66.0, 84.0, 104.0, 130.0];
 /// Longest id that is written, canvas units.
@@ -23,7 +25,10 @@ const CROWDED: usize = 80;
 
 pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &Frame) {
     let crowded = scene.obstacles.len() > CROWDED;
-    let path = samples(shown.paths().iter().flat_map(Path::edges), frame);
+    let mut path = samples(shown.paths().iter().flat_map(Path::edges), frame);
+    if let Shown::NoPath { start, target, .. } = *shown {
+        path.extend(samples(std::iter::once(Edge::Segment(Segment::new(start, target))), frame));
+    }
     let borders = samples(scene.rings().flat_map(|ring| ring.edges()).take(MOST_EDGES), frame);
     let mut places = Places::new(frame.area, &path, &borders);
     let ends = shown.ends();
@@ -99,26 +104,48 @@ fn obstacle_id(
                             !all.iter().any(|other| holds(other, middle))
                         }
                     };
-                if suits && places.is_free(&spot) {
-                    if spot.distance((x, y)) > LEADER_FROM {
-                        leader(svg, (x, y), &spot);
-                    }
-                    write_at(svg, places, "id", spot, &text);
-                    return true;
+                if !suits || !places.is_free(&spot) {
+                    continue;
                 }
+                let line = leader_points((x, y), &spot);
+                if effort < 2 && line.iter().any(|&point| places.is_taken(point)) {
+                    continue;
+                }
+                if !line.is_empty() {
+                    leader(svg, places, (x, y), &line);
+                }
+                write_at(svg, places, "id", spot, &text);
+                return true;
             }
         }
     }
     false
 }
 
-fn leader(svg: &mut String, (x, y): (f64, f64), spot: &Box2) {
+/// Points on the way from the anchor to a label that lies far from it; none when it lies near.
+fn leader_points((x, y): (f64, f64), spot: &Box2) -> Vec<(f64, f64)> {
+    let length = spot.distance((x, y));
+    if length <= LEADER_FROM {
+        return Vec::new();
+    }
     let (to_x, to_y) = (x.clamp(spot.left, spot.right), y.clamp(spot.top, spot.bottom));
+    let count = (length / LEADER_STEP).ceil();
+    (0..=count as usize)
+        .map(|i| i as f64 / count)
+        .map(|share| (x + (to_x - x) * share, y + (to_y - y) * share))
+        .collect()
+}
+
+fn leader(svg: &mut String, places: &mut Places, (x, y): (f64, f64), line: &[(f64, f64)]) {
+    let (to_x, to_y) = line.last().copied().unwrap_or((x, y));
     let _ = writeln!(
         svg,
         "<line class=\"leader\" x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{to_x:.1}\" y2=\"{to_y:.1}\"/>\
          <circle class=\"dot\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\"/>"
     );
+    for &(x, y) in line {
+        places.take(Box2 { left: x, top: y, right: x, bottom: y });
+    }
 }
 
 fn write_at(svg: &mut String, places: &mut Places, class: &str, spot: Box2, text: &str) {

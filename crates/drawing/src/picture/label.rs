@@ -54,6 +54,12 @@ impl Places {
         self.taken.push(area);
     }
 
+    /// Whether a label or a mark, or the path, covers the point.
+    pub(super) fn is_taken(&self, (x, y): (f64, f64)) -> bool {
+        let point = Box2 { left: x, top: y, right: x, bottom: y };
+        self.taken.iter().any(|other| other.distance((x, y)) <= 1.0) || self.path.any_near(&point, PATH_AIR)
+    }
+
     /// Whether the box is free of labels, marks and path.
     pub(super) fn is_free(&self, area: &Box2) -> bool {
         let near = Box2 {

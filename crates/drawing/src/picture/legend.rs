@@ -2,7 +2,7 @@
 
 use super::Shown;
 use super::frame::{Frame, MARGIN, WIDTH};
-use super::route::{start_mark, target_mark};
+use super::route::{MARK_RADIUS, start_mark, target_mark};
 use super::scale_bar;
 use super::style::SMALL;
 use super::text::{push_text, width_of};
@@ -55,7 +55,7 @@ impl Legend {
         let (mut x, mut y) = (left, frame.area.bottom + 28.0);
         let mut entries = Vec::new();
         for (sign, name) in wanted {
-            let width = SIGN + 8.0 + width_of(name, SMALL) + 20.0;
+            let width = sign.width() + 8.0 + width_of(name, SMALL) + 22.0;
             if x + width > WIDTH - MARGIN && x > left {
                 (x, y) = (left, y + ROW);
             }
@@ -73,14 +73,21 @@ impl Legend {
     pub(super) fn draw(&self, svg: &mut String) {
         for &(sign, name, x, y) in &self.entries {
             sign.draw(svg, x, y);
-            push_text(svg, "", x + SIGN + 8.0, y + SMALL * 0.35, name);
+            push_text(svg, "", x + sign.width() + 8.0, y + SMALL * 0.35, name);
         }
     }
 }
 
 impl Sign {
+    fn width(self) -> f64 {
+        match self {
+            Self::Start | Self::Target => 2.0 * MARK_RADIUS + 4.0,
+            _ => SIGN,
+        }
+    }
+
     fn draw(self, svg: &mut String, x: f64, y: f64) {
-        let (right, middle) = (x + SIGN, x + SIGN / 2.0);
+        let (right, middle) = (x + SIGN, x + self.width() / 2.0);
         let rect = |class: &str, style: &str| {
             format!(
                 "<rect class=\"{class}\" x=\"{x:.1}\" y=\"{:.1}\" width=\"{SIGN}\" height=\"20\"{style}/>",

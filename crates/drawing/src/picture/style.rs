@@ -4,15 +4,15 @@ use super::text::escaped;
 use std::fmt::Write;
 
 /// Letter size of ids and of the legend.
-pub(super) const SMALL: f64 = 19.0;
+pub(super) const SMALL: f64 = 21.0;
 /// Letter size of the header.
-pub(super) const LARGE: f64 = 24.0;
+pub(super) const LARGE: f64 = 27.0;
 /// Weight of the barrier's outline.
 pub(super) const BARRIER_LINE: f64 = 1.3;
 
 const SHEET: &str = "
-text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font-size:19px;fill:#1c2733}
-.title{font-size:24px;font-weight:bold}
+text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font-size:21px;fill:#1c2733}
+.title{font-size:27px;font-weight:bold}
 .alert{font-weight:bold;fill:#a3120a}
 .id,.end{text-anchor:middle;stroke:#fff;stroke-width:4.5px;stroke-linejoin:round;paint-order:stroke}
 .end{font-weight:bold}

@@ -44,14 +44,6 @@ impl Side {
             Self::Right => -1.0,
         }
     }
-
-    /// 0 on the left, 1 on the right.
-    pub(crate) fn index(self) -> usize {
-        match self {
-            Self::Left => 0,
-            Self::Right => 1,
-        }
-    }
 }
 
 impl Feature {

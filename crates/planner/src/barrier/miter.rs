@@ -1,7 +1,9 @@
 //! Mitred corners: parallel lines that meet in control points, as published in 2008.
 
 use super::Clearance;
-use traverse_geometry::{Arc, CornerStyle, Edge, MITER_RATIO_LIMIT, Point, Ring, Segment, Vector, left_of, unit};
+use traverse_geometry::{
+    Arc, CornerStyle, Edge, MITER_RATIO_LIMIT, Point, Ring, Segment, Vector, left_of, unit,
+};
 
 /// A convex corner: the vertex and the outward normals of the edges that meet there.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +39,10 @@ impl Corner {
         let along = clearance * (limit - half.cos()) / half.sin();
         let first = from + left_of(self.normals[0]) * along;
         let second = to - left_of(self.normals[1]) * along;
-        Mitred { points: vec![from, first, second, to], turns: vec![(self.normals[0], half), (bisector, half)] }
+        Mitred {
+            points: vec![from, first, second, to],
+            turns: vec![(self.normals[0], half), (bisector, half)],
+        }
     }
 }
 
@@ -64,9 +69,8 @@ pub(crate) fn parallel(edge: &Edge, distance: f64) -> Option<Edge> {
         Edge::Arc(arc) => {
             let radius = arc.radius + distance * arc.sweep.signum();
             let scaled = |p: Point| arc.center + (p - arc.center) * (radius / arc.radius);
-            (radius > 0.0).then(|| {
-                Edge::Arc(Arc { radius, start: scaled(arc.start), end: scaled(arc.end), ..*arc })
-            })
+            (radius > 0.0)
+                .then(|| Edge::Arc(Arc { radius, start: scaled(arc.start), end: scaled(arc.end), ..*arc }))
         }
     }
 }

@@ -8,9 +8,6 @@ use std::f64::consts::TAU;
 use traverse_geometry::{Arc, Bounds, Edge, Point, Vector, cross, positive_angle};
 use traverse_solve::{Budget, Interrupt};
 
-
-
-
 /// Blockers in bounding-volume trees. Building costs n log n; a query about log n and what it meets.
 #[derive(Default)]
 pub(crate) struct Obstruction {
@@ -57,12 +54,14 @@ impl Obstruction {
         &'a self,
         feature: &'a Feature,
     ) -> impl Iterator<Item = (f64, f64, usize)> + 'a {
-        let circle = Arc::from_angles(feature.center, feature.plan_radius, feature.start_angle, feature.sweep);
+        let circle =
+            Arc::from_angles(feature.center, feature.plan_radius, feature.start_angle, feature.sweep);
         let bounds = circle.bounds();
         self.trees
             .iter()
             .flat_map(move |(first, tree)| {
-                tree.leaves(move |node| overlaps(node, &bounds)).map(move |leaf| &self.blockers[first + leaf as usize])
+                tree.leaves(move |node| overlaps(node, &bounds))
+                    .map(move |leaf| &self.blockers[first + leaf as usize])
             })
             .flat_map(move |blocker| {
                 blocked_by(feature, blocker).into_iter().map(move |(from, to)| (from, to, blocker.owner))

@@ -201,11 +201,8 @@ impl Outline<'_> {
             let turned = cross(arriving, leaving);
             if turned < 0.0 {
                 let turn = (-turned).atan2(arriving.dot(&leaving));
-                let corner = Corner {
-                    vertex: after.start(),
-                    normals: [left_of(leaving), left_of(arriving)],
-                    turn,
-                };
+                let corner =
+                    Corner { vertex: after.start(), normals: [left_of(leaving), left_of(arriving)], turn };
                 self.add_corner(&corner, features);
             }
         }

@@ -1,5 +1,6 @@
 //! Labels: ways of touching a feature, and the route that they add up to.
 
+use super::settled::Lane;
 use crate::barrier::Side;
 use traverse_geometry::{Point, Vector};
 
@@ -8,8 +9,8 @@ use traverse_geometry::{Point, Vector};
 pub(crate) enum Place {
     /// At the start, or one of the places that stand for it.
     Start,
-    /// At a feature, which lies on `side` of the way, having arrived at `offset` within the free `stretch`.
-    Feature { feature: usize, side: Side, stretch: usize, offset: f64 },
+    /// At a feature, having arrived at `offset`.
+    Feature { lane: Lane, offset: f64 },
     /// At the target, or one of the places that stand for it.
     Target,
 }

@@ -5,9 +5,11 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod departure;
 mod end;
 mod label;
 mod relaxation;
+mod settled;
 mod shortest;
 mod tangent;
 

@@ -36,7 +36,8 @@ pub fn shortest(s: P, t: P, circles: &[Circle], walls: &[Wall]) -> f64 {
             nodes.push(Node { circle: i, side, angle: 0.0, at: end.center });
         }
     }
-    let mut edges: Vec<Vec<(usize, f64)>> = vec![vec![(1, 0.0)], vec![(0, 0.0)], vec![(3, 0.0)], vec![(2, 0.0)]];
+    let mut edges: Vec<Vec<(usize, f64)>> =
+        vec![vec![(1, 0.0)], vec![(0, 0.0)], vec![(3, 0.0)], vec![(2, 0.0)]];
     for i in 0..all.len() {
         for j in 0..all.len() {
             if i == j {
@@ -181,7 +182,8 @@ fn tangent(a: Circle, side_a: f64, b: Circle, side_b: f64) -> Option<(P, P)> {
     // Left normal of the direction of travel.
     let angle = base + std::f64::consts::FRAC_PI_2 - tilt;
     let n = (angle.cos(), angle.sin());
-    let touch = |c: Circle, side: f64| (c.center.0 - n.0 * c.radius * side, c.center.1 - n.1 * c.radius * side);
+    let touch =
+        |c: Circle, side: f64| (c.center.0 - n.0 * c.radius * side, c.center.1 - n.1 * c.radius * side);
     Some((touch(a, side_a), touch(b, side_b)))
 }
 
@@ -209,5 +211,8 @@ fn segment_distance(p: P, q: P, a: P, b: P) -> f64 {
     if side(p, q, a) * side(p, q, b) < 0.0 && side(a, b, p) * side(a, b, q) < 0.0 {
         return 0.0;
     }
-    point_distance(p, a, b).min(point_distance(q, a, b)).min(point_distance(a, p, q)).min(point_distance(b, p, q))
+    point_distance(p, a, b)
+        .min(point_distance(q, a, b))
+        .min(point_distance(a, p, q))
+        .min(point_distance(b, p, q))
 }

@@ -1,0 +1,107 @@
+//! Request bodies read into memory: each bounded, all of them together bounded.
+
+use crate::dispatch::RETRY_AFTER;
+use bytes::{Bytes, BytesMut};
+use http_body::Body;
+use http_body_util::BodyExt;
+use std::pin::pin;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use traverse_proto::Refused;
+
+/// Bytes of all requests that are in memory, and how many there may be.
+#[derive(Clone)]
+pub(crate) struct Buffered {
+    used: Arc<AtomicUsize>,
+    limit: usize,
+}
+
+/// Bytes that are held; dropping it gives them back.
+pub(crate) struct Held {
+    of: Buffered,
+    bytes: usize,
+}
+
+impl Buffered {
+    pub(crate) fn new(limit: usize) -> Self {
+        Self { used: Arc::default(), limit }
+    }
+
+    pub(crate) fn hold(&self) -> Held {
+        Held { of: self.clone(), bytes: 0 }
+    }
+
+    /// Reads a body whose size may be `limit`; `inspect` sees what has come so far and may refuse it early.
+    pub(crate) async fn read<B>(
+        &self,
+        body: B,
+        limit: usize,
+        inspect: impl Fn(&[u8]) -> Result<(), Refused>,
+    ) -> Result<(Bytes, Held), Refused>
+    where
+        B: Body<Data = Bytes>,
+        B::Error: std::fmt::Display,
+    {
+        let mut held = self.hold();
+        let mut read = BytesMut::new();
+        let mut body = pin!(body);
+        let announced = body.size_hint().lower();
+        if announced > limit as u64 {
+            return Err(Refused::MessageTooLarge { bytes: announced, limit });
+        }
+        while let Some(frame) = body.frame().await {
+            let frame = frame.map_err(|error| Refused::MalformedMessage {
+                detail: format!("the request broke off after {} bytes: {error}", read.len()),
+            })?;
+            let Ok(data) = frame.into_data() else { continue };
+            if read.len() + data.len() > limit {
+                return Err(Refused::MessageTooLarge { bytes: (read.len() + data.len()) as u64, limit });
+            }
+            held.grow(data.len())?;
+            read.extend_from_slice(&data);
+            inspect(&read)?;
+        }
+        Ok((read.freeze(), held))
+    }
+}
+
+impl Held {
+    fn grow(&mut self, by: usize) -> Result<(), Refused> {
+        let before = self.of.used.fetch_add(by, Ordering::Relaxed);
+        self.bytes += by;
+        if before.saturating_add(by) <= self.of.limit {
+            return Ok(());
+        }
+        let what = format!("requests of {before} bytes are in memory and {} may be", self.of.limit);
+        Err(Refused::QueueFull { what, retry_after: RETRY_AFTER })
+    }
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        self.of.used.fetch_sub(self.bytes, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use http_body_util::Full;
+
+    async fn read(buffered: &Buffered, bytes: usize, limit: usize) -> Result<(Bytes, Held), Refused> {
+        buffered.read(Full::new(Bytes::from(vec![0; bytes])), limit, |_| Ok(())).await
+    }
+
+    #[tokio::test]
+    async fn one_body_and_all_bodies_are_bounded() {
+        let buffered = Buffered::new(100);
+        assert_eq!(read(&buffered, 51, 50).await.err().map(|refused| refused.reason()), Some("MESSAGE_TOO_LARGE"));
+        let first = read(&buffered, 50, 50).await.expect("fits");
+        let second = read(&buffered, 50, 50).await.expect("fits");
+        assert_eq!(read(&buffered, 1, 50).await.err().map(|refused| refused.reason()), Some("QUEUE_FULL"));
+        drop(first);
+        drop(read(&buffered, 50, 50).await.expect("there is room again"));
+        drop(second);
+        assert_eq!(buffered.used.load(Ordering::Relaxed), 0);
+    }
+}

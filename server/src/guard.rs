@@ -1,0 +1,110 @@
+//! What every gRPC call passes before tonic: there is such a call, the request fits, its frame is whole, it holds no more
+//! items than permitted. Faults that escape a handler end here.
+
+use crate::buffered::{Buffered, Held};
+use crate::call::{Call, Protocol};
+use crate::config::Config;
+use crate::deadline::grpc_timeout;
+use crate::frame;
+use crate::planner_service::Reading;
+use bytes::Bytes;
+use futures_util::FutureExt;
+use futures_util::future::BoxFuture;
+use http::{Request, Response};
+use http_body_util::Full;
+use std::convert::Infallible;
+use std::panic::AssertUnwindSafe;
+use std::sync::Arc;
+use std::task::{Context, Poll};
+use std::time::Instant;
+use tonic::body::Body;
+use tonic::service::Routes;
+use tower::{Service, ServiceExt};
+use traverse_proto::{Procedure, Refused, check_counts};
+
+/// Calls that stream or are none of ours: passed on as they are. tonic bounds them.
+const PASSED: &[&str] = &["/grpc.health.v1.Health/", "/grpc.reflection.v1.", "/grpc.reflection.v1alpha."];
+
+/// Guards the routes.
+#[derive(Clone)]
+pub(crate) struct Guard {
+    pub(crate) routes: Routes,
+    pub(crate) config: Arc<Config>,
+    pub(crate) buffered: Buffered,
+}
+
+impl Service<Request<Body>> for Guard {
+    type Response = Response<Body>;
+    type Error = Infallible;
+    type Future = BoxFuture<'static, Result<Response<Body>, Infallible>>;
+
+    fn poll_ready(&mut self, _: &mut Context<'_>) -> Poll<Result<(), Infallible>> {
+        Poll::Ready(Ok(()))
+    }
+
+    fn call(&mut self, request: Request<Body>) -> Self::Future {
+        let guard = self.clone();
+        Box::pin(async move { Ok(guard.answer(request).await) })
+    }
+}
+
+impl Guard {
+    async fn answer(self, mut request: Request<Body>) -> Response<Body> {
+        let call = request.extensions().get::<Arc<Call>>().cloned();
+        let call = call.unwrap_or_else(|| Arc::new(Call::new(Protocol::Grpc)));
+        request.extensions_mut().insert(Arc::clone(&call));
+        let answered = AssertUnwindSafe(self.admit_and_route(&call, request)).catch_unwind().await;
+        match answered.unwrap_or_else(|panic| Err(crate::fault::of_panic(&*panic))) {
+            Ok(response) => response,
+            Err(refused) => {
+                call.refused(&refused);
+                refused.to_status().into_http()
+            }
+        }
+    }
+
+    async fn admit_and_route(self, call: &Call, request: Request<Body>) -> Result<Response<Body>, Refused> {
+        let path = request.uri().path();
+        if PASSED.iter().any(|passed| path.starts_with(passed)) {
+            return Ok(self.route(request).await);
+        }
+        let unknown = || Refused::UnknownMethod { path: path.to_owned() };
+        let procedure = Procedure::at_path(path).ok_or_else(unknown)?;
+        let (request, held) = self.admit(call, &procedure, request).await?;
+        let response = self.route(request).await;
+        drop(held);
+        Ok(response)
+    }
+
+    async fn admit(
+        &self,
+        call: &Call,
+        procedure: &Procedure,
+        request: Request<Body>,
+    ) -> Result<(Request<Body>, Held), Refused> {
+        let limits = &self.config.limits;
+        let (mut head, body) = request.into_parts();
+        let timeout = grpc_timeout(&head.headers)?;
+        let encoding = head.headers.get("grpc-encoding").and_then(|value| value.to_str().ok());
+        let inspect = |read: &[u8]| frame::check_head(read, limits.message_bytes, encoding);
+        let read = self.buffered.read(body, limits.message_bytes + frame::HEADER, inspect);
+        let patience = timeout.unwrap_or(self.config.longest_time_limit).min(self.config.longest_time_limit);
+        let late = |_| Refused::TimeLimitReached { lower_bound: None };
+        let (bytes, held) = tokio::time::timeout(patience, read).await.map_err(late)??;
+        call.note(|facts| facts.bytes = facts.bytes.max(bytes.len() as u64));
+        check_counts(&procedure.input(), frame::message(&bytes)?, limits)?;
+        head.extensions.insert(Reading { timeout, read_at: Instant::now() });
+        Ok((Request::from_parts(head, whole(bytes)), held))
+    }
+
+    async fn route(self, request: Request<Body>) -> Response<Body> {
+        match self.routes.oneshot(request).await {
+            Ok(response) => response,
+            Err(never) => match never {},
+        }
+    }
+}
+
+fn whole(bytes: Bytes) -> Body {
+    Body::new(Full::new(bytes))
+}
