@@ -1,2 +1,38 @@
-//! Under construction.
-fn main() {}
+//! `traverse`: rapid moves from drawings, in process or against a server; `traverse serve` starts one.
+
+mod arguments;
+mod call;
+mod check;
+mod demo;
+mod drawing_scene;
+mod failure;
+mod input;
+mod planning;
+mod rapid;
+mod serve;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use failure::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let runtime = match tokio::runtime::Runtime::new() {
+        Ok(runtime) => runtime,
+        Err(error) => return Failure::Internal(format!("can't start: {error}")).report(),
+    };
+    let done = runtime.block_on(async {
+        match arguments.command {
+            Command::Serve(serve) => serve::run(serve).await,
+            Command::Rapid(rapid) => rapid::run(rapid).await,
+            Command::Check(check) => check::run(check).await,
+            Command::Call(call) => call::run(call).await,
+            Command::Demo(demo) => demo::run(demo).await,
+        }
+    });
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -39,6 +39,7 @@ mod mitre;
 mod path_shape;
 mod rapid_check;
 mod seam;
+mod section;
 mod strip;
 mod touching;
 mod violation;

@@ -87,9 +87,10 @@ impl Corner {
     /// How far `step` stays outside the kite, at its nearest in the corner's cone; none: it is never there.
     pub(crate) fn margin(&self, step: &Curve, clearance: f64, limit: f64) -> Option<Nearest> {
         let (n1, n2) = self.normals();
+        let bisector = self.bisector();
         let mut lines = vec![(n1, clearance), (n2, clearance)];
         if self.ratio() > limit {
-            lines.push((self.bisector(), limit * clearance));
+            lines.push((bisector, limit * clearance));
         }
         let mut places = vec![0.0, 1.0];
         step.cut_by_line(self.at, self.arriving, 0.0, &mut places);
@@ -106,7 +107,10 @@ impl Corner {
         }
         least(step, places, |x| {
             let d = x - self.at;
-            let in_cone = self.arriving.dot(&d) >= -REGION_SLACK_MM && self.leaving.dot(&d) <= REGION_SLACK_MM;
+            // The bisector keeps a corner of nearly nothing from holding what lies behind it.
+            let in_cone = self.arriving.dot(&d) >= -REGION_SLACK_MM
+                && self.leaving.dot(&d) <= REGION_SLACK_MM
+                && bisector.dot(&d) >= -REGION_SLACK_MM;
             in_cone.then(|| lines.iter().map(|&(n, reach)| n.dot(&d) - reach).fold(f64::NEG_INFINITY, f64::max))
         })
     }

@@ -227,7 +227,7 @@ impl Walk<'_> {
         let strip = Strip::along(steps, tolerance);
         let edges: Vec<Vec<u32>> = strip.steps.iter().map(|step| self.touched[step.index].clone()).collect();
         let mut reported = BTreeSet::new();
-        let mut found: Vec<_> = passages(boundary, &strip, &edges)
+        let mut found: Vec<_> = passages(boundary, tree, &strip, &edges)
             .into_iter()
             .map(|passage| (passage.step, passage.at, passage.solids))
             .collect();

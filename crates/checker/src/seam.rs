@@ -7,16 +7,9 @@
 use crate::boundary::Boundary;
 use crate::boundary_tree::BoundaryTree;
 use crate::contact::coincide;
-use crate::curve::{Curve, right_of};
-use crate::inside::is_inside;
+use crate::curve::Curve;
+use crate::section::Section;
 use traverse_geometry::Point;
-
-/// An edge beside a step, and how far left of it.
-struct Line {
-    offset: f64,
-    edge: u32,
-    curve: Curve,
-}
 
 /// Most places of one step that are asked.
 const PLACE_LIMIT: usize = 10_000;
@@ -68,28 +61,16 @@ fn closed(
     beside: &[u32],
     reach: f64,
 ) -> Option<(Point, [u32; 2])> {
-    let (at, along) = (step.point_at(fraction), step.direction_at(fraction));
-    let left = -right_of(along);
-    let mut lines: Vec<Line> = Vec::new();
-    for &edge in beside {
-        let curve = boundary.curve(edge);
-        let mut cuts = Vec::new();
-        curve.cut_by_line(at, along, 0.0, &mut cuts);
-        let offsets = cuts.into_iter().map(|cut| left.dot(&(curve.point_at(cut) - at)));
-        lines.extend(offsets.filter(|offset| offset.abs() <= reach).map(|offset| Line { offset, edge, curve }));
+    let section = Section::across(boundary, step, fraction, beside, reach);
+    if section.lines.len() < 2 {
+        return None;
     }
-    lines.sort_by(|one, other| one.offset.total_cmp(&other.offset));
-    let (first, last) = (lines.first()?, lines.last()?);
-    let covered = |offset: f64| {
-        let p = at + left * offset;
-        lines.iter().map(|line| boundary.solid_of(line.edge)).find(|&solid| is_inside(boundary, tree, p, solid))
-    };
-    let right = covered((first.offset - reach) / 2.0)?;
-    let left_solid = covered((last.offset + reach) / 2.0)?;
-    let free_between = lines.windows(2).any(|pair| {
+    let right = section.cover_right(boundary, tree)?;
+    let left = section.cover_left(boundary, tree)?;
+    let free_between = section.lines.windows(2).any(|pair| {
         let gap = pair[1].offset - pair[0].offset;
         !coincide(&pair[0].curve, &pair[1].curve, gap)
-            && covered((pair[0].offset + pair[1].offset) / 2.0).is_none()
+            && section.cover((pair[0].offset + pair[1].offset) / 2.0, boundary, tree).is_none()
     });
-    (lines.len() > 1 && !free_between).then_some((at, [right, left_solid]))
+    (!free_between).then_some((section.at, [right, left]))
 }

@@ -1,5 +1,8 @@
 //! The strip: everything within the tolerance of a path, unrolled along it, with a left and a right wall.
 //!
+//! Where steps meet at an angle their parts of the strip overlap on the inner side of the turn. What lies there is
+//! the nearer one's, and none of it is at a wall.
+//!
 //! Steps shorter than a hundredth of the tolerance are left out: their direction is rounding. Where a path folds
 //! straight back the strip is cut in two.
 
@@ -41,6 +44,9 @@ const END_REACHES: f64 = 2.0;
 /// Steps within this many reaches along the strip are neighbours.
 const NEIGHBOUR_REACHES: f64 = 4.0;
 
+/// How many reaches from the ends it is asked what covers the strip there.
+const SECTION_REACHES: f64 = 3.0;
+
 /// Sine below which a turn back is a reversal.
 const REVERSAL_SINE: f64 = 1e-6;
 
@@ -80,37 +86,57 @@ impl Strip {
         way <= END_REACHES * self.reach || way >= self.ends[step.piece] - END_REACHES * self.reach
     }
 
-    /// Neighbours of step `at` before `way`, nearest first, and after it.
-    fn neighbours(&self, at: usize, way: f64) -> impl Iterator<Item = &StripStep> {
+    /// Indices of the steps of the same piece up to a window before `from` and after `to`, millimetres along the
+    /// strip, without `at`, nearest first.
+    fn neighbours(&self, at: usize, from: f64, to: f64) -> impl Iterator<Item = usize> {
         let piece = self.steps[at].piece;
         let window = NEIGHBOUR_REACHES * self.reach;
-        let before = self.steps[..at].iter().rev();
-        let after = self.steps[at + 1..].iter();
-        before
-            .take_while(move |step| step.piece == piece && way - step.to <= window)
-            .chain(after.take_while(move |step| step.piece == piece && step.from - way <= window))
+        let before = (0..at)
+            .rev()
+            .take_while(move |&other| self.steps[other].piece == piece && from - self.steps[other].to <= window);
+        let after = (at + 1..self.steps.len())
+            .take_while(move |&other| self.steps[other].piece == piece && self.steps[other].from - to <= window);
+        before.chain(after)
     }
 
     /// Indices of the steps just after `at`, up to the one that is no neighbour of its end.
-    pub(crate) fn following(&self, at: usize) -> impl Iterator<Item = usize> + '_ {
-        let StripStep { piece, to, .. } = self.steps[at];
-        let window = NEIGHBOUR_REACHES * self.reach;
-        (at + 1..self.steps.len())
-            .take_while(move |&next| self.steps[next].piece == piece && self.steps[next].from - to <= window)
+    pub(crate) fn following(&self, at: usize) -> impl Iterator<Item = usize> {
+        let step = &self.steps[at];
+        self.neighbours(at, f64::INFINITY, step.to)
     }
 
-    /// The wall through which something leaves the strip at `p`, which lies at the reach of step `at`. None: `p`
-    /// is within reach of a neighbouring step, or belongs to an end.
-    pub(crate) fn wall_at(&self, at: usize, p: Point) -> Option<Wall> {
-        if self.is_near_end(at, p) {
+    /// The wall through which something leaves the strip at `p`, which lies at the reach of step `at`. None: it
+    /// belongs to an end, or goes on within reach of a neighbour.
+    ///
+    /// `crosses`: it leaves step `at` on both sides, and so crosses it, whatever neighbours do farther along.
+    pub(crate) fn wall_at(&self, at: usize, p: Point, crosses: bool) -> Option<Wall> {
+        // A hairpin comes back to where the path began.
+        let ends = [self.steps.first().map(|step| step.curve.start()), self.steps.last().map(|step| step.curve.end())];
+        let returns = ends.into_iter().flatten().any(|end| (p - end).norm() <= END_REACHES * self.reach);
+        if returns || self.is_near_end(at, p) {
             return None;
         }
         let step = &self.steps[at];
         let fraction = step.curve.nearest_fraction(p);
-        let way = step.from + fraction * (step.to - step.from);
-        if self.neighbours(at, way).any(|other| other.curve.distance_to_point(p) < 0.99 * self.reach) {
+        let beside = fraction > 0.0 && fraction < 1.0;
+        // What is nearer to the next step across a sharp turn lies beyond the bisector: it is the other one's.
+        let (from, to) = if beside && !crosses {
+            (step.from, step.to)
+        } else {
+            let way = step.from + fraction * (step.to - step.from);
+            (way, way)
+        };
+        let rounding = 1e-6 * self.reach + 16.0 * f64::EPSILON * p.x.abs().max(p.y.abs());
+        let nearer = |other: usize| self.steps[other].curve.distance_to_point(p) < self.reach - rounding;
+        if self.neighbours(at, from, to).any(nearer) {
             return None;
         }
+        Some(self.side_of(at, fraction, p))
+    }
+
+    /// On which side of the place at `fraction` of step `at` a point lies.
+    pub(crate) fn side_of(&self, at: usize, fraction: f64, p: Point) -> Wall {
+        let step = &self.steps[at];
         let mut direction = step.curve.direction_at(fraction);
         // Beyond an end of the step: outside of the turn into its neighbour.
         if fraction <= 0.0 && at > 0 {
@@ -119,7 +145,26 @@ impl Strip {
             direction += self.steps[at + 1].curve.direction_at(0.0);
         }
         let side = cross(direction, p - step.curve.point_at(fraction));
-        Some(if side > 0.0 { Wall::Left } else { Wall::Right })
+        if side > 0.0 { Wall::Left } else { Wall::Right }
+    }
+
+    /// The places just past the ends of every piece: step and fraction of its way.
+    pub(crate) fn end_sections(&self) -> Vec<(usize, f64)> {
+        let inset = SECTION_REACHES * self.reach;
+        let mut sections = Vec::new();
+        for (at, step) in self.steps.iter().enumerate() {
+            let end = self.ends[step.piece];
+            let length = step.to - step.from;
+            if end < 2.0 * inset {
+                continue;
+            }
+            for way in [inset, end - inset] {
+                if step.from <= way && way < step.to {
+                    sections.push((at, (way - step.from) / length));
+                }
+            }
+        }
+        sections
     }
 }
 

@@ -4,7 +4,8 @@
 //! the strip within the tolerance, something connected reaches from the left wall to the right one: an edge that
 //! crosses it (an antenna, or a plate thinner than the tolerance), or edges on both sides that touch each other.
 //! Edges are cut to their parts in the strip, joined where they touch, and each connected group asked which walls
-//! it reaches. No material is needed for that, so overlap, holes and weakly simple rings are no special cases.
+//! it reaches. Material matters only where edges run out through an end of the strip: there the outermost ones
+//! reach a wall if what lies between is covered. Overlap, holes and weakly simple rings are no special cases.
 //!
 //! Limits, all on the side of accepting: places within two tolerances of start and target belong to them; where a
 //! path folds straight back both ways are looked at apart; circular edges touch within the rounding of their
@@ -12,15 +13,20 @@
 //! are compared. Cost: linear in the contacts, but for edges side by side, which are compared in pairs.
 
 use crate::boundary::Boundary;
+use crate::boundary_tree::BoundaryTree;
 use crate::contact::contacts;
 use crate::curve::Curve;
 use crate::curve_cuts::Part;
+use crate::section::Section;
 use crate::strip::{Strip, Wall};
 use std::collections::HashMap;
 use traverse_geometry::Point;
 
 /// Most pairs of edges that are compared for one path.
 const PAIR_LIMIT: usize = 4_000_000;
+
+/// How near the joint of two steps, in reaches, a piece goes over from one to the other.
+const JOINT_REACHES: f64 = 2.0;
 
 /// A place where a path passes between what touches.
 #[derive(Clone, Copy, Debug)]
@@ -43,10 +49,16 @@ struct Piece {
 }
 
 /// Every passage of the strip; `edges` holds the edges within reach of each of its steps.
-pub(crate) fn passages(boundary: &Boundary, strip: &Strip, edges: &[Vec<u32>]) -> Vec<Passage> {
+pub(crate) fn passages(
+    boundary: &Boundary,
+    tree: &BoundaryTree,
+    strip: &Strip,
+    edges: &[Vec<u32>],
+) -> Vec<Passage> {
     let mut groups = Groups::default();
-    // Pieces of the steps that still have followers to be joined with, by edge.
-    let mut recent: HashMap<(usize, u32), Vec<usize>> = HashMap::new();
+    let covered = covered_ends(boundary, tree, strip, edges);
+    // The pieces of every edge along every step.
+    let mut by_edge: HashMap<(usize, u32), Vec<usize>> = HashMap::new();
     let mut pairs = PAIR_LIMIT;
     for (at, step_edges) in edges.iter().enumerate() {
         let first = groups.pieces.len();
@@ -54,28 +66,32 @@ pub(crate) fn passages(boundary: &Boundary, strip: &Strip, edges: &[Vec<u32>]) -
             add_pieces(boundary, strip, at, edge, &mut groups);
         }
         let added = first..groups.pieces.len();
+        for &(_, edge, fraction, wall) in covered.iter().filter(|covered| covered.0 == at) {
+            let piece = added.clone().find(|&piece| {
+                let Piece { edge: other, part, .. } = groups.pieces[piece];
+                edge == other && part.0 <= fraction && fraction <= part.1
+            });
+            if let Some(piece) = piece {
+                groups.walls[piece][wall as usize] = true;
+            }
+        }
         for piece in added.clone() {
             groups.report_crossing(boundary, strip, piece);
         }
         join_shared_vertices(boundary, strip, added.clone(), &mut groups);
         join_touching(boundary, strip, added.clone(), &mut pairs, &mut groups);
         for piece in added.clone() {
-            recent.entry((at, groups.pieces[piece].edge)).or_default().push(piece);
+            by_edge.entry((at, groups.pieces[piece].edge)).or_default().push(piece);
         }
     }
     for at in 0..edges.len() {
+        let joint = strip.steps[at].curve.end();
         for next in strip.following(at) {
             for &edge in &edges[at] {
-                let (Some(one), Some(other)) = (recent.get(&(at, edge)), recent.get(&(next, edge))) else { continue };
-                for &a in one {
-                    for &b in other {
-                        let (from, to) = (groups.pieces[a].part, groups.pieces[b].part);
-                        if from.0 <= to.1 && to.0 <= from.1 {
-                            let piece = &groups.pieces[b];
-                            let common = (from.0.max(to.0) + from.1.min(to.1)) / 2.0;
-                            let place = piece.curve.point_at(common);
-                            groups.join(boundary, strip, a, b, place);
-                        }
+                let (Some(one), Some(other)) = (by_edge.get(&(at, edge)), by_edge.get(&(next, edge))) else { continue };
+                for (&a, &b) in one.iter().flat_map(|a| other.iter().map(move |b| (a, b))) {
+                    if let Some(place) = groups.common_place(a, b, joint, JOINT_REACHES * strip.reach) {
+                        groups.join(boundary, strip, a, b, place);
                     }
                 }
             }
@@ -84,18 +100,43 @@ pub(crate) fn passages(boundary: &Boundary, strip: &Strip, edges: &[Vec<u32>]) -
     groups.passages
 }
 
+/// Edges that run out through an end of the strip with nothing but material between them and a wall: step, edge,
+/// fraction of the edge, wall.
+fn covered_ends(
+    boundary: &Boundary,
+    tree: &BoundaryTree,
+    strip: &Strip,
+    edges: &[Vec<u32>],
+) -> Vec<(usize, u32, f64, Wall)> {
+    let mut covered = Vec::new();
+    for (at, fraction) in strip.end_sections() {
+        let section = Section::across(boundary, &strip.steps[at].curve, fraction, &edges[at], strip.reach);
+        let right = section.cover_right(boundary, tree).and(section.lines.first());
+        let left = section.cover_left(boundary, tree).and(section.lines.last());
+        covered.extend(right.map(|line| (at, line.edge, line.fraction, Wall::Right)));
+        covered.extend(left.map(|line| (at, line.edge, line.fraction, Wall::Left)));
+    }
+    covered
+}
+
 fn add_pieces(boundary: &Boundary, strip: &Strip, at: usize, edge: u32, groups: &mut Groups) {
     let step = &strip.steps[at].curve;
     let curve = boundary.curve(edge);
     for part in curve.parts_within(step, strip.reach) {
+        let exits: Vec<Point> = [(part.0 > 0.0, part.0), (part.1 < 1.0, part.1)]
+            .into_iter()
+            .filter_map(|(leaves, fraction)| leaves.then(|| curve.point_at(fraction)))
+            .collect();
+        // Past an end of the step it may go round the joint; only beside the step it crosses for certain.
+        let side = |p: Point| {
+            let fraction = step.nearest_fraction(p);
+            (fraction > 0.0 && fraction < 1.0).then(|| strip.side_of(at, fraction, p))
+        };
+        let sides: Vec<Wall> = exits.iter().filter_map(|&p| side(p)).collect();
+        let crosses = matches!(sides[..], [one, other] if one != other);
         let mut walls = [false; 2];
-        let exits = [(part.0 > 0.0, part.0), (part.1 < 1.0, part.1)];
-        for (_, fraction) in exits.into_iter().filter(|&(leaves, _)| leaves) {
-            match strip.wall_at(at, curve.point_at(fraction)) {
-                Some(Wall::Left) => walls[0] = true,
-                Some(Wall::Right) => walls[1] = true,
-                None => {}
-            }
+        for wall in exits.into_iter().filter_map(|p| strip.wall_at(at, p, crosses)) {
+            walls[wall as usize] = true;
         }
         let places = [part.0, (part.0 + part.1) / 2.0, part.1].map(|f| step.nearest_fraction(curve.point_at(f)));
         let beside = places.iter().fold((1.0, 0.0), |range: Part, &f| (range.0.min(f), range.1.max(f)));
@@ -187,6 +228,18 @@ impl Groups {
             root = self.parent[root];
         }
         root
+    }
+
+    /// Where pieces of one edge along neighbouring steps overlap, if that is within `reach` of the joint between:
+    /// farther along, neighbours that run side by side meet the same edge on different sheets of the strip.
+    fn common_place(&self, a: usize, b: usize, joint: Point, reach: f64) -> Option<Point> {
+        let (one, other) = (&self.pieces[a], &self.pieces[b]);
+        let (from, to) = (one.part.0.max(other.part.0), one.part.1.min(other.part.1));
+        if from > to {
+            return None;
+        }
+        let place = one.curve.point_at(one.curve.nearest_fraction(joint).clamp(from, to));
+        ((place - joint).norm() <= reach).then_some(place)
     }
 
     fn report_crossing(&mut self, boundary: &Boundary, strip: &Strip, piece: usize) {

@@ -25,7 +25,7 @@ impl Forest {
     pub fn of(loops: &[Loop]) -> Self {
         let areas: Vec<f64> = loops.iter().map(Loop::area).collect();
         let larger = |a: usize, b: usize| areas[a].total_cmp(&areas[b]).then(b.cmp(&a)).is_gt();
-        let pieces: Vec<Vec<Piece>> = loops.iter().map(pieces_of).collect();
+        let pieces: Vec<Vec<Piece>> = loops.iter().map(|each| pieces_of(each.edges())).collect();
         let mut parents: Vec<Option<usize>> = vec![None; loops.len()];
         sweep(&pieces, |inner, around| {
             let around = around.iter().copied().filter(|&outer| larger(outer, inner));

@@ -81,15 +81,17 @@ impl Loop {
 /// Joins `curves`, all of one layer, to loops. Closed curves are loops by themselves.
 ///
 /// The result does not depend on the order or direction of the curves but for where each loop begins, which way it
-/// runs and in which order the loops come.
+/// runs and in which order the loops come. A curve that is none (fewer than 2 vertices, or not one bulge for each) is
+/// skipped.
 #[must_use]
 pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
     let mut joined = Joined::default();
     let mut report = |place: Point, fault: Fault| {
-        joined.findings.push(DrawingFinding { layer: layer.to_owned(), place, fault })
+        joined.findings.push(DrawingFinding { layer: layer.to_owned(), place, fault });
     };
 
-    let open: Vec<usize> = (0..curves.len()).filter(|&i| !curves[i].closed).collect();
+    let sound = |curve: &Curve| curve.vertices.len() > 1 && curve.bulges.len() == curve.vertices.len();
+    let open: Vec<usize> = (0..curves.len()).filter(|&i| sound(&curves[i]) && !curves[i].closed).collect();
     let ends: Vec<Point> = open
         .iter()
         .flat_map(|&i| [curves[i].vertices[0], curves[i].vertices[curves[i].vertices.len() - 1]])
@@ -126,7 +128,7 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
         curves
             .iter()
             .enumerate()
-            .filter(|(_, curve)| curve.closed)
+            .filter(|(_, curve)| sound(curve) && curve.closed)
             .map(|(i, curve)| Loop::of_curve(curve, i)),
     );
     loops.sort_by_key(|each| each.first_curve);

@@ -1,4 +1,27 @@
 //! Drawings in, pictures of plans out.
+//!
+//! A file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used. Its layers are
+//! given [`Roles`]; [`scene_from_drawing`] joins the curves to loops, finds which lies in which and builds the
+//! [`Scene`](traverse_geometry::Scene) that a rapid move is planned in. [`picture_of_plan`] draws scene and plan.
+//! No I/O but for the reader that is passed in, no clock, no panic on any input.
+//!
+//! ```
+//! use traverse_drawing::{ReadOptions, SceneOptions, Shown, picture_of_plan, read_dxf, scene_from_drawing};
+//! use traverse_geometry::{Path, Point};
+//!
+//! let file = b"0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nPINS\n10\n50\n20\n20\n40\n8\n0\nENDSEC\n0\nEOF\n";
+//! let drawing = read_dxf(file, &ReadOptions::default())?;
+//! let made = scene_from_drawing(&drawing, &SceneOptions::new(2.0))?;
+//! assert_eq!(made.scene.obstacles[0].id, "PINS/1");
+//! assert!(made.report.is_complete() && made.report.unit_assumed);
+//!
+//! let mut path = Path::at(Point::new(0.0, 20.0));
+//! path.line_to(Point::new(50.0, 34.0));
+//! path.line_to(Point::new(100.0, 20.0));
+//! let svg = picture_of_plan(&made.scene, Shown::Path(&path), "round a pin");
+//! assert!(svg.starts_with("<svg"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod curve;
 mod drawing;

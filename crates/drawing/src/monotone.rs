@@ -1,6 +1,5 @@
 //! Edges cut into pieces that only rise: what a horizontal line meets at most once.
 
-use crate::Loop;
 use traverse_geometry::Edge;
 
 /// A piece of an edge on which y only rises, from `low` up to but without `high`.
@@ -44,10 +43,10 @@ impl Piece {
     }
 }
 
-/// The pieces of a loop. Level edges have none.
-pub(crate) fn pieces_of(each: &Loop) -> Vec<Piece> {
-    let mut pieces = Vec::with_capacity(each.vertices.len());
-    for edge in each.edges() {
+/// The pieces of the edges. Level edges have none.
+pub(crate) fn pieces_of(edges: impl Iterator<Item = Edge>) -> Vec<Piece> {
+    let mut pieces = Vec::with_capacity(edges.size_hint().0);
+    for edge in edges {
         match edge {
             Edge::Segment(segment) => {
                 let (a, b) = (segment.start, segment.end);

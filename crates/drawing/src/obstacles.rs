@@ -59,7 +59,7 @@ impl LayerLoops<'_> {
         let bulges = if straight { Vec::new() } else { found.bulges.clone() };
         Ring::new(found.vertices.clone(), bulges)
             .map_err(|why| {
-                findings.extend(self.findings_at(each, why, |finding| Fault::InvalidLoop { finding }))
+                findings.extend(self.findings_at(each, why, |finding| Fault::InvalidLoop { finding }));
             })
             .ok()
     }

@@ -61,13 +61,13 @@ impl Arc {
         self.radius * self.sweep.abs()
     }
 
-    /// tan(sweep / 4): positive counter-clockwise.
+    /// tan(sweep / 4): positive counter-clockwise, within [−1, 1] up to half a turn, huge for a full one.
     #[must_use]
     pub fn bulge(&self) -> f64 {
         (self.sweep / 4.0).tan()
     }
 
-    /// The point at `fraction` of the way, 0 at the start, 1 at the end.
+    /// The point at `fraction` of the way: exactly the start up to 0, exactly the end from 1 on.
     #[must_use]
     pub fn point_at(&self, fraction: f64) -> Point {
         if fraction <= 0.0 {
@@ -165,5 +165,60 @@ impl Arc {
             .map(|quarter| unit(f64::from(quarter) * FRAC_PI_2))
             .filter(|&direction| self.spans(direction))
             .fold(ends, |bounds, direction| bounds.with(self.center + direction * self.radius))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn half_turns_span_their_ends() {
+        for i in 0..1000 {
+            let i = f64::from(i);
+            let (start, end) = (Point::new(0.1 * i, 0.3), Point::new(-7.7, 0.013 * i * i));
+            for bulge in [1.0, -1.0, 1.0 - 1e-15, 1.0 - 1e-9] {
+                let arc = Arc::from_bulge(start, end, bulge);
+                assert!(arc.spans(start - arc.center) && arc.spans(end - arc.center));
+                assert!(
+                    arc.spans(arc.point_at(0.5) - arc.center) && !arc.spans(arc.center - arc.point_at(0.5))
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn any_sweep_spans_what_it_turns_over() {
+        for i in 1..200 {
+            for sign in [1.0, -1.0] {
+                let sweep = sign * f64::from(i) * TAU / 200.0;
+                let arc = Arc::from_angles(Point::new(3.0, -4.0), 2.0, 0.7, sweep);
+                for j in 0..400 {
+                    let turned = (f64::from(j) + 0.5) * TAU / 400.0;
+                    assert_eq!(
+                        arc.spans(unit(0.7 + sign * turned)),
+                        turned < sweep.abs(),
+                        "{sweep} {turned}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_tiny_arc_of_a_huge_circle_does_not_span_the_far_side() {
+        let arc = Arc::from_bulge(Point::new(0.0, 0.0), Point::new(1.0, 0.0), 1e-6);
+        assert!(!arc.spans(arc.center - arc.point_at(0.5)));
+        assert!((arc.distance_to_point(Point::new(0.5, 3.0)) - 3.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_circle_bounds_and_spans_everything() {
+        let circle = Arc::from_angles(Point::new(1.0, 1.0), 2.0, PI / 3.0, -TAU);
+        assert_eq!(circle.start, circle.end);
+        assert!((circle.bounds().size() - Vector::repeat(4.0)).norm() < 1e-12);
+        assert!((circle.length() - 4.0 * PI).abs() < 1e-12);
+        assert_eq!(circle.nearest_point(circle.center), circle.start);
     }
 }

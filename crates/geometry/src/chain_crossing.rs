@@ -128,8 +128,8 @@ fn in_sector(p: Point, from: Point, x: Point, to: Point) -> bool {
         Left => after_from == Left && before_to == Left,
         Straight => after_from == Left,
         Right => {
-            let on_border = same_ray(p, from, x) || same_ray(p, x, to);
-            !on_border && !(after_from == Right && before_to == Right)
+            let beyond = after_from == Right && before_to == Right;
+            !(beyond || same_ray(p, from, x) || same_ray(p, x, to))
         }
     }
 }

@@ -140,3 +140,39 @@ impl Winding {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slits_and_antennas_are_border() {
+        let ring = Ring::from_xy(&[0.0, 0.0, 4.0, 0.0, 7.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0], &[]).unwrap();
+        assert_eq!(ring.locate(Point::new(6.0, 0.0)), Location::Border);
+        assert_eq!(ring.locate(Point::new(6.0, 1e-300)), Location::Outside);
+        assert_eq!(ring.locate(Point::new(3.0, 1e-300)), Location::Inside);
+    }
+
+    #[test]
+    fn chords_of_half_circles_are_inside() {
+        for xy in [[-1.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 1.0], [1.0, 1.0, -1.0, -1.0]] {
+            let circle = Ring::from_xy(&xy, &[1.0, 1.0]).unwrap();
+            for ring in [circle.clone(), circle.reversed()] {
+                for share in [0.1, 0.25, 0.5, 0.75] {
+                    let p = Point::new(xy[0] + (xy[2] - xy[0]) * share, xy[1] + (xy[3] - xy[1]) * share);
+                    assert_eq!(ring.locate(p), Location::Inside);
+                }
+                assert_eq!(ring.locate(Point::new(-2.0, 0.0)), Location::Outside);
+                assert_eq!(ring.locate(Point::new(xy[0], xy[1])), Location::Border);
+            }
+        }
+    }
+
+    #[test]
+    fn nowhere_is_outside() {
+        let circle = Ring::from_xy(&[-1.0, 0.0, 1.0, 0.0], &[1.0, 1.0]).unwrap();
+        for p in [[f64::NAN, 0.0], [0.0, f64::NAN], [f64::INFINITY, 0.0], [f64::NEG_INFINITY, 0.5]] {
+            assert_eq!(circle.locate(Point::from(p)), Location::Outside);
+        }
+    }
+}

@@ -153,8 +153,8 @@ impl Edge {
 }
 
 impl Ring {
-    /// The ring after `motion`. It stays the same shape up to rounding and is not validated again: parts that touch
-    /// may come to lie a rounding error over each other. Keep it within the coordinate limit. Cost: linear.
+    /// The ring after `motion`. It stays the same shape up to rounding and is not validated again: straight edges that
+    /// touch may come to lie a rounding error over each other, which [`Ring::new`] would refuse as a crossing. Keep it within the coordinate limit. Cost: linear.
     #[must_use]
     pub fn moved(&self, motion: &Motion) -> Self {
         Self::trusted(motion.vertices(self.vertices()), motion.bulges(self.bulges()), self.touches_itself())

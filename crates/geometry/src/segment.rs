@@ -30,10 +30,16 @@ impl Segment {
         self.vector().norm()
     }
 
-    /// The point at `fraction` of the way, 0 at the start, 1 at the end.
+    /// The point at `fraction` of the way: exactly the start up to 0, exactly the end from 1 on.
     #[must_use]
     pub fn point_at(&self, fraction: f64) -> Point {
-        self.start + self.vector() * fraction
+        if fraction <= 0.0 {
+            self.start
+        } else if fraction >= 1.0 {
+            self.end
+        } else {
+            self.start + self.vector() * fraction
+        }
     }
 
     /// The point of the edge nearest to `p`.

@@ -3,7 +3,7 @@
 use traverse_geometry::{Finding, Polygon, Reason, Ring};
 
 fn ring(xy_mm: &[f64]) -> Ring {
-    Ring::from_xy(xy_mm, &[]).unwrap()
+    Ring::from_xy(xy_mm, &[]).expect("the ring is valid")
 }
 
 fn square(x: f64, y: f64, side: f64) -> Ring {
@@ -11,7 +11,7 @@ fn square(x: f64, y: f64, side: f64) -> Ring {
 }
 
 fn circle(x: f64, y: f64, radius: f64) -> Ring {
-    Ring::from_xy(&[x - radius, y, x + radius, y], &[1.0, 1.0]).unwrap()
+    Ring::from_xy(&[x - radius, y, x + radius, y], &[1.0, 1.0]).expect("the ring is valid")
 }
 
 #[track_caller]
@@ -108,10 +108,7 @@ fn crossings_name_both_edges() {
         ],
     );
     assert!(found[0].message.starts_with("edge 0 of holes[0] crosses edge 1 of the outer ring near (10.0"));
-    assert_eq!(
-        found[2].value,
-        "edge 3 and edge 2 of holes[1]".replace("edge 3 and edge 2", "edge 0 and edge 1")
-    );
+    assert_eq!(found[2].value, "edge 0 and edge 1 of holes[1]");
     // Through the border exactly at a vertex.
     let through = ring(&[10.0, 5.0, 12.0, 4.0, 12.0, 6.0, 10.0, 5.0, 8.0, 6.0, 8.0, 4.0]);
     assert_eq!(

@@ -1,6 +1,6 @@
 //! Every kind of bad ring, with the exact findings; and rings that look bad but are not.
 
-use traverse_geometry::{COORDINATE_LIMIT_MM, FINDINGS_LIMIT, Finding, Reason, Ring};
+use traverse_geometry::{COORDINATE_LIMIT_MM, FINDINGS_LIMIT, Finding, Motion, Reason, Ring, Vector};
 
 fn findings(xy_mm: &[f64], bulges: &[f64]) -> Vec<Finding> {
     Ring::from_xy(xy_mm, bulges).expect_err("the ring is bad")
@@ -19,7 +19,7 @@ fn check(xy_mm: &[f64], bulges: &[f64], expected: &[(&str, Reason, &str)]) {
 
 #[track_caller]
 fn valid(xy_mm: &[f64], bulges: &[f64]) -> Ring {
-    Ring::from_xy(xy_mm, bulges).unwrap_or_else(|findings| panic!("{findings:?}"))
+    Ring::from_xy(xy_mm, bulges).expect("the ring is valid")
 }
 
 const SQUARE: [f64; 8] = [0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0];
@@ -204,4 +204,29 @@ fn arcs_cross_at_a_vertex() {
     assert!(found.iter().all(|finding| finding.reason == Reason::EdgesCross), "{found:?}");
     let touching = [0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 0.0, -4.0, 4.0, -4.0, 1.0];
     assert!(valid(&touching, &[0.1; 6]).touches_itself());
+}
+
+#[test]
+fn touching_arcs_stay_valid_when_turned_and_far_away() {
+    let rings = [
+        valid(
+            &[0.0, 0.0, 9.0, 0.0, 9.0, 9.0, 0.0, 9.0, 0.0, 4.0, 3.0, 4.0, 6.0, 4.0, 3.0, 4.0, 0.0, 4.0],
+            &[0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0],
+        ),
+        valid(&[0.0, 0.0, 8.0, 0.0, 8.0, 4.0, 0.0, 4.0], &[-1.0, 0.0, 0.0, 0.0]),
+        valid(&[0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 0.0, -4.0, 4.0, -4.0, 1.0], &[0.1; 6]),
+        valid(
+            &[-5.0, 9.0, -5.0, 0.0, 5.0, 0.0, 5.0, 9.0, 10.0, 9.0, 10.0, -9.0, -10.0, -9.0, -10.0, 9.0],
+            &[-0.5, 0.0, -0.5, 0.0, 0.0, 0.0, 0.0, 0.0],
+        ),
+    ];
+    for ring in rings {
+        for step in 0..50 {
+            let motion =
+                Motion::rotation(0.1 * f64::from(step)).then(&Motion::translation(Vector::new(2e4, -2e4)));
+            let moved = ring.moved(&motion);
+            let again = Ring::new(moved.vertices().to_vec(), moved.bulges().to_vec());
+            assert_eq!(again.as_ref(), Ok(&moved), "step {step} of {ring:?}");
+        }
+    }
 }

@@ -2,11 +2,8 @@
 
 use crate::barrier::{Blocker, Clearance, Feature, Obstruction, Outline};
 use std::borrow::Cow;
-use traverse_geometry::{Polygon, Ring, Scene};
+use traverse_geometry::{Polygon, Ring, Scene, WORK_AREA_ID};
 use traverse_solve::{Budget, Interrupt};
-
-/// The id under which the work area's border appears among obstacles.
-pub const WORK_AREA_ID: &str = "work_area";
 
 /// Every barrier of a scene, by owner: the index of the obstacle, or the count of obstacles for the work area.
 pub(crate) struct Barriers<'a> {

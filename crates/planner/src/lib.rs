@@ -39,6 +39,5 @@ mod standing;
 mod supporting_lines;
 mod trace;
 
-pub use barriers::WORK_AREA_ID;
 pub use plan::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 pub use rapid_move::plan_rapid_move;

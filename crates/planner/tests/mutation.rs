@@ -92,7 +92,7 @@ fn every_shift_to_the_wrong_side_is_refused() {
         else {
             continue;
         };
-        assert!(accepted(&scene, start, target, &plan.path), "case {case}: {plan:?}");
+        support::assert_sound(&scene, start, target, &plan);
         paths += 1;
         for (what, path) in mutations(&plan.path) {
             shifts += 1;

@@ -31,6 +31,22 @@ pub fn answer_to_json(procedure: &Procedure, bytes: &[u8]) -> Result<Vec<u8>, Re
     to_json(procedure.output(), bytes)
 }
 
+/// JSON text of an encoded request: what a client sends.
+///
+/// # Errors
+/// The bytes are no such request.
+pub fn request_to_json(procedure: &Procedure, bytes: &[u8]) -> Result<Vec<u8>, Refused> {
+    to_json(procedure.input(), bytes)
+}
+
+/// The encoded answer that JSON text stands for: what a client reads.
+///
+/// # Errors
+/// What is wrong with the text, and where.
+pub fn answer_from_json(procedure: &Procedure, text: &[u8]) -> Result<Vec<u8>, Refused> {
+    from_json(procedure.output(), text).map(|message| message.encode_to_vec())
+}
+
 /// An error detail, such as `google.rpc.BadRequest`, as JSON. Absent when its type is not known here.
 #[must_use]
 pub fn error_detail_to_json(type_name: &str, bytes: &[u8]) -> Option<Box<RawValue>> {

@@ -5,6 +5,7 @@ mod hostile;
 mod making;
 mod mitred;
 mod mutation;
+mod oracle;
 mod round;
 mod symmetry;
 mod touching;

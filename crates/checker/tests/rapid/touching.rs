@@ -204,6 +204,29 @@ fn three_wedges_in_one_point_part_the_plane() {
 }
 
 #[test]
+fn an_edge_on_both_sides_of_a_hairpin_is_no_passage() {
+    // Found by the oracle: the triangle's right edge lies left of the first step and right of the second.
+    let scene = scene(0.0, vec![ring(&[(4.0, 3.0), (1.0, 3.0), (4.0, 1.0)])]);
+    let path = line(&[(4.0, 2.0), (5.0, 5.0), (4.0, 1.0)]);
+    for tolerance in [TOLERANCE, 1e-3, 0.2] {
+        let check = traverse_checker::check_rapid_move(&scene, path.start, path.end(), &path, tolerance);
+        assert!(check.is_sound(), "{:?}", check.violations);
+    }
+}
+
+#[test]
+fn a_wall_behind_both_legs_of_a_hairpin_is_no_passage() {
+    // Found by the oracle: an antenna along the top of a block and beyond, seen from below.
+    let wall = ring(&[(1.0, 2.0), (2.0, 2.0), (4.0, 2.0), (2.0, 2.0), (2.0, 3.0), (1.0, 3.0)]);
+    let scene = scene(0.0, vec![rectangle(0.0, 0.0, 3.0, 2.0), wall]);
+    let path = line(&[(7.0, 1.0), (3.0, 2.0), (9.0, 1.0)]);
+    for tolerance in [TOLERANCE, 1e-3, 0.1, 0.2, 0.25] {
+        let check = traverse_checker::check_rapid_move(&scene, path.start, path.end(), &path, tolerance);
+        assert!(check.is_sound(), "{tolerance}: {:?}", check.violations);
+    }
+}
+
+#[test]
 fn a_polygonised_circle_is_slid_round() {
     for count in [8, 100, 5000] {
         let corner = |i: i32| {
@@ -221,4 +244,15 @@ fn a_polygonised_circle_is_slid_round() {
 fn positive_clearance_asks_distances_only() {
     let touching = Scene { clearance_mm: 1.0, ..chess(0.0, 0.0) };
     accepts(&touching, &line(&[(-11.0, -1.0), (-1.0, -1.0), (-1.0, -11.0)]));
+}
+
+#[test]
+fn a_seam_behind_an_antenna_is_a_seam() {
+    // Found by the oracle.
+    let corner = |x: f64, y: f64| {
+        ring(&[(x, y), (x + 1.0, y), (x + 2.0, y), (x + 1.0, y), (x + 1.0, y + 1.0), (x, y + 1.0)])
+    };
+    let scene = scene(0.0, vec![corner(3.0, 1.0), corner(3.0, 0.0), rectangle(4.0, 0.0, 5.0, 2.0)]);
+    refuses(&scene, &line(&[(4.0, 1.0), (3.0, 1.0)]), BetweenTouchingObstacles);
+    refuses(&scene, &line(&[(4.0, 0.0), (4.0, 1.0)]), BetweenTouchingObstacles);
 }

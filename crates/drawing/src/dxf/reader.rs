@@ -21,7 +21,7 @@ pub fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
     }
     let spelling = sniff(bytes)?;
     let census = take_census(bytes, spelling, options)?;
-    let wanted = wanted_sections(bytes, spelling, &census);
+    let wanted = wanted_file(bytes, spelling, &census);
     let file = dxf::Drawing::load(&mut Cursor::new(wanted))
         .map_err(|error| ReadError::Library { message: error.to_string() })?;
 
@@ -31,10 +31,10 @@ pub fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
     let mut unused: BTreeMap<(String, String, WhyUnused), usize> = BTreeMap::new();
     let mut delivered: BTreeMap<&'static str, usize> = BTreeMap::new();
     for entity in file.entities() {
-        let layer = entity.common.layer.trim();
+        let layer = layer_name(&entity.common.layer, spelling);
         let (name, taken) = match take_entity(entity, unit.millimetres)? {
             Taken::Curve(name, curve) => {
-                layers.of(layer).curves.push(curve);
+                layers.of(&layer).curves.push(curve);
                 (name, None)
             }
             Taken::Unusable(name, why) => (name, Some(why)),
@@ -42,7 +42,7 @@ pub fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
         };
         *delivered.entry(name).or_default() += 1;
         if let Some(why) = taken {
-            *unused.entry((layer.to_owned(), name.to_owned(), why)).or_default() += 1;
+            *unused.entry((layer, name.to_owned(), why)).or_default() += 1;
         }
     }
     for name in READ_TYPES {
@@ -79,14 +79,27 @@ pub fn read_dxf_from(reader: impl Read, options: &ReadOptions) -> Result<Drawing
     read_dxf(&bytes, options)
 }
 
-/// A file of the sections that are read: what else there is (previews, objects, styles) can't do harm.
-fn wanted_sections(bytes: &[u8], spelling: Spelling, census: &Census) -> Vec<u8> {
+/// The `dxf` crate takes each byte of a binary file's text for a letter: what was UTF-8 is made UTF-8 again.
+fn layer_name(name: &str, spelling: Spelling) -> String {
+    let name = name.trim();
+    if spelling != Spelling::Ascii {
+        let bytes: Result<Vec<u8>, _> = name.chars().map(u8::try_from).collect();
+        if let Some(text) = bytes.ok().and_then(|bytes| String::from_utf8(bytes).ok()) {
+            return text;
+        }
+    }
+    name.to_owned()
+}
+
+/// A file of what is read, and nothing else: what else there is (previews, hatches, styles) can do no harm, and takes no
+/// memory.
+fn wanted_file(bytes: &[u8], spelling: Spelling, census: &Census) -> Vec<u8> {
     let mut wanted = Vec::with_capacity(bytes.len().min(1 << 20));
     if let Spelling::Binary { groups_at } = spelling {
         wanted.extend_from_slice(&bytes[..groups_at]);
     }
-    for section in &census.sections {
-        wanted.extend_from_slice(&bytes[section.clone()]);
+    for range in &census.wanted {
+        wanted.extend_from_slice(&bytes[range.clone()]);
     }
     wanted.extend_from_slice(match spelling {
         Spelling::Ascii => b"0\nEOF\n".as_slice(),

@@ -44,7 +44,7 @@ pub(super) fn without_repeated_links(
 /// A point that is the same whichever way the curve runs.
 fn middle_of(curve: &Curve) -> Point {
     let edges = curve.edge_count();
-    if edges % 2 == 0 {
+    if edges.is_multiple_of(2) {
         return curve.vertices[edges / 2];
     }
     curve.edges().nth(edges / 2).map_or(curve.vertices[0], |edge| edge.point_at(0.5))

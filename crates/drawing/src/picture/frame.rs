@@ -87,7 +87,7 @@ impl Frame {
 
 /// Everything that is drawn, with the barriers; a box of 1 mm when there is nothing.
 fn extent(scene: &Scene, shown: &Shown<'_>) -> Bounds {
-    let work_area = scene.work_area.iter().map(|area| area.bounds());
+    let work_area = scene.work_area.iter().map(traverse_geometry::Polygon::bounds);
     let obstacles =
         scene.obstacles.iter().map(|obstacle| obstacle.shape.bounds().grown(scene.clearance_of(obstacle)));
     let steps = shown.paths().iter().flat_map(|path| path.edges().map(|edge| edge.bounds()));

@@ -6,16 +6,19 @@ use super::label::{Places, box_at};
 use super::route::{MARK_RADIUS, samples};
 use super::style::SMALL;
 use super::text::{fitted, push_text, width_of};
+use crate::monotone::{Piece, pieces_of};
 use std::f64::consts::TAU;
 use std::fmt::Write;
-use traverse_geometry::{Edge, Obstacle, Path, Point, Scene, Segment};
+use traverse_geometry::{Bounds, Edge, Obstacle, Path, Point, Scene, Segment};
 
 /// A label that lies farther than this from what it names gets a line to it.
 const LEADER_FROM: f64 = 22.0;
 /// Distance between points of that line.
-const LEADER_STEP: f64 = 6.0;
+const LEADER_STEP: f64 = 10.0;
 /// How far from its anchor a label is tried, canvas units.
 const REACH: [f64; 9] = [0.0, 14.0, 24.0, 36.0, 50.0, 66.0, 84.0, 104.0, 130.0];
+/// Directions in which a label is tried.
+const TURNS: u8 = 16;
 /// Longest id that is written, canvas units.
 const LONGEST: f64 = 260.0;
 /// So many edges of the scene are kept free of ids.
@@ -29,7 +32,7 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
     if let Shown::NoPath { start, target, .. } = *shown {
         path.extend(samples(std::iter::once(Edge::Segment(Segment::new(start, target))), frame));
     }
-    let borders = samples(scene.rings().flat_map(|ring| ring.edges()).take(MOST_EDGES), frame);
+    let borders = samples(scene.rings().flat_map(traverse_geometry::Ring::edges).take(MOST_EDGES), frame);
     let mut places = Places::new(frame.area, &path, &borders);
     let ends = shown.ends();
     for (start, target) in &ends {
@@ -49,13 +52,11 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
     order.sort_by(|a, b| {
         shown.parts(&b.id).cmp(&shown.parts(&a.id)).then(b.shape.area().total_cmp(&a.shape.area()))
     });
-    let anchors: Vec<Vec<Point>> = order.iter().map(|obstacle| anchors(obstacle)).collect();
+    let named: Vec<Named<'_>> = order.into_iter().map(Named::new).collect();
     let hardest = if crowded { 1 } else { 3 };
-    let mut waiting: Vec<usize> = (0..order.len()).collect();
+    let mut waiting: Vec<usize> = (0..named.len()).collect();
     for effort in 0..hardest {
-        waiting.retain(|&i| {
-            !obstacle_id(svg, &mut places, order[i], &anchors[i], frame, effort, &scene.obstacles)
-        });
+        waiting.retain(|&i| !named[i].write(svg, &mut places, frame, effort, &named));
     }
 }
 
@@ -72,45 +73,68 @@ fn end_name(svg: &mut String, places: &mut Places, (x, y): (f64, f64), name: &st
     }
 }
 
-/// Writes the id where there is room: at first inside the obstacle, then beside it in the open, then anywhere off the
-/// path. Whether it could.
-fn obstacle_id(
-    svg: &mut String,
-    places: &mut Places,
-    obstacle: &Obstacle,
-    anchors: &[Point],
-    frame: &Frame,
-    effort: u8,
-    all: &[Obstacle],
-) -> bool {
-    let text = fitted(&obstacle.id, SMALL, LONGEST);
-    let width = width_of(&text, SMALL);
-    let reach = if effort == 0 { &REACH[..1] } else { &REACH[..] };
-    for &away in reach {
-        for &anchor in anchors {
+/// An obstacle that wants its id written.
+struct Named<'a> {
+    obstacle: &'a Obstacle,
+    bounds: Bounds,
+    pieces: Vec<Piece>,
+    anchors: Vec<Point>,
+}
+
+impl<'a> Named<'a> {
+    fn new(obstacle: &'a Obstacle) -> Self {
+        let bounds = obstacle.shape.bounds();
+        let edges = obstacle.shape.rings().flat_map(traverse_geometry::Ring::edges);
+        let mut named = Self { obstacle, bounds, pieces: pieces_of(edges), anchors: Vec::new() };
+        let size = bounds.size();
+        let at = |u: f64, v: f64| Point::new(bounds.min.x + u * size.x, bounds.min.y + v * size.y);
+        let shares = [0.5, 0.25, 0.75, 0.12, 0.88, 0.05, 0.95];
+        let grid = shares.iter().flat_map(|&v| shares.iter().map(move |&u| at(u, v)));
+        named.anchors = grid.filter(|&p| named.holds(p)).take(12).collect();
+        named.anchors.extend(obstacle.shape.outer().vertices().first());
+        named
+    }
+
+    /// Even-odd rule over all rings; exact enough for a label.
+    fn holds(&self, p: Point) -> bool {
+        let right = self.pieces.iter().filter(|piece| piece.spans(p.y) && piece.x_at(p.y) > p.x);
+        self.bounds.contains(p) && right.count() % 2 == 1
+    }
+
+    /// Writes the id where there is room: at first inside the obstacle, then beside it in the open, then anywhere
+    /// off the path. Whether it could.
+    fn write(&self, svg: &mut String, places: &mut Places, frame: &Frame, effort: u8, all: &[Self]) -> bool {
+        let text = fitted(&self.obstacle.id, SMALL, LONGEST);
+        let width = width_of(&text, SMALL);
+        let reach = if effort == 0 { &REACH[..1] } else { &REACH[..] };
+        // Inside there is often just one place; beside it any of a few points will do to start from.
+        let anchors =
+            if effort == 0 { &self.anchors[..] } else { &self.anchors[..self.anchors.len().min(4)] };
+        let tries = reach.iter().flat_map(|&away| {
+            let turns = if away == 0.0 { 1 } else { TURNS };
+            let spots = (0..turns).map(move |turn| (away, TAU * f64::from(turn) / f64::from(TURNS)));
+            anchors
+                .iter()
+                .flat_map(move |&anchor| spots.clone().map(move |(away, angle)| (anchor, away, angle)))
+        });
+        for (anchor, away, angle) in tries {
             let (x, y) = frame.place(anchor);
-            let turns = if away == 0.0 { 1 } else { 16 };
-            for turn in 0..turns {
-                let angle = TAU * f64::from(turn) / 16.0;
-                let (dx, dy) = ((away + width / 2.0) * angle.cos(), (away + SMALL / 2.0) * angle.sin());
-                let (dx, dy) = if away == 0.0 { (0.0, 0.0) } else { (dx, dy) };
-                let spot = box_at(x + dx, y + dy, width, SMALL);
-                let suits = effort == 2
-                    || places.is_clear(&spot) && {
-                        let middle = frame.point((x + dx, y + dy));
-                        if effort == 0 {
-                            holds(obstacle, middle)
-                        } else {
-                            !all.iter().any(|other| holds(other, middle))
-                        }
-                    };
-                if !suits || !places.is_free(&spot) {
-                    continue;
-                }
-                let line = leader_points((x, y), &spot);
-                if effort < 2 && line.iter().any(|&point| places.is_taken(point)) {
-                    continue;
-                }
+            let middle = match away {
+                0.0 => (x, y),
+                _ => (x + (away + width / 2.0) * angle.cos(), y + (away + SMALL / 2.0) * angle.sin()),
+            };
+            let spot = box_at(middle.0, middle.1, width, SMALL);
+            let p = frame.point(middle);
+            let suits = |spot: &Box2| match effort {
+                0 => places.is_clear(spot) && self.holds(p),
+                1 => places.is_clear(spot) && !all.iter().any(|other| other.holds(p)),
+                _ => true,
+            };
+            if !places.is_free(&spot) || !suits(&spot) {
+                continue;
+            }
+            let line = leader_points((x, y), &spot);
+            if effort == 2 || !line.iter().any(|&point| places.is_taken(point)) {
                 if !line.is_empty() {
                     leader(svg, places, (x, y), &line);
                 }
@@ -118,8 +142,8 @@ fn obstacle_id(
                 return true;
             }
         }
+        false
     }
-    false
 }
 
 /// Points on the way from the anchor to a label that lies far from it; none when it lies near.
@@ -152,33 +176,4 @@ fn write_at(svg: &mut String, places: &mut Places, class: &str, spot: Box2, text
     let middle = (spot.left + spot.right) / 2.0;
     push_text(svg, class, middle, (spot.top + spot.bottom) / 2.0 + SMALL * 0.35, text);
     places.take(spot);
-}
-
-/// Points inside the obstacle, the middle of its box first.
-fn anchors(obstacle: &Obstacle) -> Vec<Point> {
-    let bounds = obstacle.shape.bounds();
-    let size = bounds.size();
-    let at = |u: f64, v: f64| Point::new(bounds.min.x + u * size.x, bounds.min.y + v * size.y);
-    let shares = [0.5, 0.25, 0.75, 0.12, 0.88, 0.05, 0.95];
-    let grid = shares.iter().flat_map(|&v| shares.iter().map(move |&u| at(u, v)));
-    let mut inside: Vec<Point> = grid.filter(|&p| holds(obstacle, p)).take(12).collect();
-    inside.extend(obstacle.shape.outer().vertices().first());
-    inside
-}
-
-/// Even-odd rule over all rings by a ray to the right; exact enough for a label.
-fn holds(obstacle: &Obstacle, p: Point) -> bool {
-    if !obstacle.shape.bounds().contains(p) {
-        return false;
-    }
-    let crossings = |ring: &traverse_geometry::Ring| {
-        let chain = crate::Loop {
-            vertices: ring.vertices().to_vec(),
-            bulges: if ring.has_arcs() { ring.bulges().to_vec() } else { vec![0.0; ring.len()] },
-            first_curve: 0,
-        };
-        let pieces = crate::monotone::pieces_of(&chain);
-        pieces.iter().filter(|piece| piece.spans(p.y) && piece.x_at(p.y) > p.x).count()
-    };
-    obstacle.shape.rings().map(crossings).sum::<usize>() % 2 == 1
 }

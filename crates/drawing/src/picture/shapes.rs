@@ -6,7 +6,7 @@ use super::outline::polygon_data;
 use super::style::BARRIER_LINE;
 use super::text::escaped;
 use std::fmt::Write;
-use traverse_geometry::{CornerStyle, MITER_RATIO_LIMIT, Scene};
+use traverse_geometry::{CornerStyle, MITER_RATIO_LIMIT, Scene, WORK_AREA_ID};
 
 pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &Frame) {
     let obstacles: Vec<String> =
@@ -45,7 +45,7 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
         let _ = writeln!(svg, "<path class=\"{class}\" d=\"{data}\"><title>{id}</title></path>");
     }
     if let Some(border) = &border {
-        let class = if shown.parts("work_area") { "border parts" } else { "border" };
+        let class = if shown.parts(WORK_AREA_ID) { "border parts" } else { "border" };
         let _ = writeln!(svg, "<path class=\"{class}\" d=\"{border}\"/>");
     }
 }

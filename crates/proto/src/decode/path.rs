@@ -1,12 +1,24 @@
 //! Paths to check.
 
 use super::reader::Reader;
-use crate::v1;
+use crate::{Limits, Refused, v1};
 use std::f64::consts::TAU;
 use traverse_geometry::{COORDINATE_LIMIT_MM, Path, PathArc, PathStep, Point, RADIUS_LIMIT_MM};
+use traverse_solve::Budget;
 
 /// A full turn, rounded up by what computing it costs.
 const LARGEST_SWEEP: f64 = TAU * (1.0 + 1e-12);
+
+/// The path of an answer, as clients need it.
+///
+/// # Errors
+/// Every finding at once.
+pub fn path_from_wire(path: v1::Path) -> Result<Path, Refused> {
+    let (limits, budget) = (Limits::default(), Budget::unlimited());
+    let mut reader = Reader::new(&limits, &budget);
+    let read = reader.path("path", Some(path));
+    reader.finish(read)
+}
 
 impl Reader<'_> {
     /// A path that must be there.

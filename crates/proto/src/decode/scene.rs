@@ -7,7 +7,7 @@ use crate::text::shortened;
 use crate::v1;
 use std::collections::HashMap;
 use traverse_geometry::{CornerStyle, Finding, Obstacle, Reason, Scene};
-use traverse_planner::WORK_AREA_ID;
+use traverse_geometry::WORK_AREA_ID;
 
 impl Reader<'_> {
     /// Whether the scene is small enough to be read. Cheap: nothing is validated yet.

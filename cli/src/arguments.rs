@@ -1,0 +1,173 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use traverse_geometry::Point;
+
+/// Plans how a cutting machine travels: the shortest collision-free rapid move, proven.
+#[derive(Debug, Parser)]
+#[command(version, about, after_help = EXIT_CODES)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 input that can't be used, \
+4 no collision-free path (proven), 5 the checker found violations, 6 server not reachable, 7 not now (time limit, full \
+queue).";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Serves gRPC, gRPC-Web and JSON on one port until SIGINT or SIGTERM.
+    Serve(Serve),
+    /// Plans the shortest rapid move through a drawing.
+    Rapid(Rapid),
+    /// Checks a plan against its request, by code that shares nothing with the planner.
+    Check(Check),
+    /// Calls any method with proto3 JSON, in process or on a server.
+    Call(Call),
+    /// Shows what Traverse does: serves, plans on bundled drawings over gRPC, writes pictures.
+    Demo(Demo),
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Serve {
+    /// Where to listen. Port 0: any free one; the address is printed.
+    #[arg(long, default_value = "127.0.0.1:50051", value_name = "ADDR:PORT")]
+    pub(crate) listen: SocketAddr,
+    /// How the log on standard error looks. RUST_LOG chooses what is in it.
+    #[arg(long, value_enum, default_value_t = LogStyle::Text)]
+    pub(crate) log_format: LogStyle,
+    /// Engines that run at once. Default: one per core.
+    #[arg(long, value_name = "COUNT")]
+    pub(crate) workers: Option<usize>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum LogStyle {
+    /// For people.
+    Text,
+    /// One object per line, for programs.
+    Json,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Rapid {
+    /// DXF file: closed outlines on layers; WORK_AREA, WORKAREA or TABLE bounds the work area.
+    pub(crate) drawing: PathBuf,
+    /// Where the tool's centre is, millimetres.
+    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
+    pub(crate) from: Point,
+    /// Where it has to go, millimetres.
+    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
+    pub(crate) to: Point,
+    /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    pub(crate) clearance: f64,
+    /// Distance kept from the work area's border, millimetres. Default: the clearance.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    pub(crate) border_clearance: Option<f64>,
+    /// How barriers turn convex corners.
+    #[arg(long, value_enum, default_value_t = Corner::Round)]
+    pub(crate) corner: Corner,
+    /// By which method.
+    #[arg(long, value_enum, default_value_t = Method::Exact)]
+    pub(crate) algorithm: Method,
+    /// Layers that bound the work area; * stands for anything. Repeat for more.
+    #[arg(long, value_name = "LAYER")]
+    pub(crate) work_area: Vec<String>,
+    /// Layers that hold obstacles; * stands for anything. Repeat for more. Default: all others.
+    #[arg(long, value_name = "LAYER")]
+    pub(crate) obstacles: Vec<String>,
+    /// Ends of lines that are no farther apart are joined, millimetres.
+    #[arg(long, value_name = "MM", default_value_t = traverse_drawing::JOIN_TOLERANCE_MM)]
+    pub(crate) join: f64,
+    /// Plan although parts of the drawing could not be used: the path may run through them.
+    #[arg(long)]
+    pub(crate) ignore_unused: bool,
+    /// Writes the plan: .svg a picture, .json a PlanRapidMoveResponse. Repeat for both.
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Writes the PlanRapidMoveRequest as JSON, for `traverse check` and `traverse call`.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) request: Option<PathBuf>,
+    /// Ask this server instead of planning in process.
+    #[arg(long, value_name = "URL")]
+    pub(crate) server: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Corner {
+    /// By arcs: the true distance.
+    Round,
+    /// By parallel lines that meet, as published in 2008.
+    Miter,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Method {
+    /// The shortest path, proven.
+    Exact,
+    /// The scan published in 2008, for comparison: one obstacle, mitred.
+    SupportingLines,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Check {
+    /// PlanRapidMoveRequest as JSON (`traverse rapid --request`), - for standard input.
+    pub(crate) request: PathBuf,
+    /// PlanRapidMoveResponse as JSON (`traverse rapid -o plan.json`), - for standard input.
+    pub(crate) plan: PathBuf,
+    /// How far inside a barrier still counts as touching it, millimetres.
+    #[arg(long, value_name = "MM")]
+    pub(crate) tolerance: Option<f64>,
+    /// Ask this server instead of checking in process.
+    #[arg(long, value_name = "URL")]
+    pub(crate) server: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Call {
+    /// Such as PlanRapidMove, CheckRapidMove, GetLimits.
+    pub(crate) method: String,
+    /// The request as proto3 JSON, - for standard input.
+    pub(crate) request: PathBuf,
+    /// Ask this server instead of the engines in process.
+    #[arg(long, value_name = "URL")]
+    pub(crate) server: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Demo {
+    /// Where the pictures go.
+    #[arg(long, value_name = "FOLDER", default_value = "out/demo")]
+    pub(crate) out: PathBuf,
+}
+
+/// `X,Y` in millimetres.
+fn point(text: &str) -> Result<Point, String> {
+    let wrong = || format!("{text} is no point; write X,Y in millimetres, such as 12.5,-3");
+    let (x, y) = text.split_once(',').ok_or_else(wrong)?;
+    let number = |text: &str| text.trim().parse::<f64>().map_err(|_| wrong());
+    Ok(Point::new(number(x)?, number(y)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn points_are_pairs_of_numbers() {
+        assert_eq!(point("1.5, -2"), Ok(Point::new(1.5, -2.0)));
+        for wrong in ["", "1", "1;2", "a,b", "1,2,3"] {
+            assert!(point(wrong).is_err(), "{wrong}");
+        }
+    }
+}

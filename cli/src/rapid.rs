@@ -1,0 +1,115 @@
+//! `traverse rapid`.
+
+use crate::arguments::{Method, Rapid};
+use crate::failure::Failure;
+use crate::{drawing_scene, input, planning};
+use std::path::Path as FilePath;
+use std::time::Duration;
+use traverse_drawing::{Shown, picture_of_plan};
+use traverse_geometry::Scene;
+use traverse_planner::{Algorithm, RapidMove};
+use traverse_proto::v1::plan_rapid_move_response::Outcome;
+use traverse_proto::{path_from_wire, plan_request, v1};
+
+pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
+    for output in &arguments.output {
+        kind_of(output)?;
+    }
+    let scene = drawing_scene::scene(&arguments)?.scene;
+    let algorithm = match arguments.algorithm {
+        Method::Exact => Algorithm::Exact,
+        Method::SupportingLines => Algorithm::SupportingLines,
+    };
+    let request = plan_request(&scene, &RapidMove { start: arguments.from, target: arguments.to, algorithm });
+    if let Some(path) = &arguments.request {
+        input::write(path, planning::request_json("PlanRapidMove", &request)?)?;
+    }
+    let caller = planning::caller(arguments.server.as_deref())?;
+    let (answer, text) = planning::plan(&caller, &request).await?;
+    let title = arguments.drawing.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    for output in &arguments.output {
+        match kind_of(output)? {
+            Output::Json => input::write(output, &text)?,
+            Output::Picture => input::write(output, picture(&scene, &request, &answer, &title)?)?,
+        }
+        println!("wrote {}", output.display());
+    }
+    report(&scene, &arguments, &answer)
+}
+
+enum Output {
+    Picture,
+    Json,
+}
+
+fn kind_of(path: &FilePath) -> Result<Output, Failure> {
+    match path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).as_deref() {
+        Some("svg") => Ok(Output::Picture),
+        Some("json") => Ok(Output::Json),
+        _ => Err(Failure::Input(format!("{}: write to a file that ends in .svg or .json", path.display()))),
+    }
+}
+
+/// The answer as a picture.
+pub(crate) fn picture(
+    scene: &Scene,
+    request: &v1::PlanRapidMoveRequest,
+    answer: &v1::PlanRapidMoveResponse,
+    title: &str,
+) -> Result<String, Failure> {
+    let point = |point: &Option<v1::Point>| {
+        point.as_ref().map_or_else(Default::default, |p| traverse_geometry::Point::new(p.x_mm, p.y_mm))
+    };
+    Ok(match &answer.outcome {
+        Some(Outcome::Plan(plan)) => {
+            let path = path_from_wire(plan.path.clone().unwrap_or_default())
+                .map_err(|refused| Failure::Internal(refused.message()))?;
+            picture_of_plan(scene, Shown::Path(&path), title)
+        }
+        Some(Outcome::NoPath(no_path)) => {
+            let shown = Shown::NoPath {
+                start: point(&request.start),
+                target: point(&request.target),
+                separating: &no_path.separating_obstacle_ids,
+            };
+            picture_of_plan(scene, shown, title)
+        }
+        None => picture_of_plan(scene, Shown::Scene, title),
+    })
+}
+
+fn report(scene: &Scene, arguments: &Rapid, answer: &v1::PlanRapidMoveResponse) -> Result<(), Failure> {
+    let straight = (arguments.to - arguments.from).norm();
+    match &answer.outcome {
+        Some(Outcome::Plan(plan)) => {
+            let steps = plan.path.as_ref().map_or(0, |path| path.steps.len());
+            let arcs = plan.path.iter().flat_map(|path| &path.steps).filter(|step| step.arc.is_some()).count();
+            println!("length       {:.6} mm (straight line {straight:.6})", plan.cost);
+            let proven = if plan.lower_bound == plan.cost { ", proven shortest" } else { "" };
+            println!("lower bound  {:.6} mm{proven}", plan.lower_bound);
+            println!("steps        {steps}, of which {arcs} are arcs");
+            println!("goes round   {}", if plan.bending_obstacle_ids.is_empty() { "nothing".to_owned() } else { plan.bending_obstacle_ids.join(", ") });
+            for alternative in &plan.alternatives {
+                println!("candidate    {:.6} mm", alternative.length_mm);
+            }
+            if let Some(search) = answer.stats.as_ref().and_then(|stats| stats.search_duration) {
+                println!("search       {:?} among {} obstacles", duration(&search), scene.obstacles.len());
+            }
+            Ok(())
+        }
+        Some(Outcome::NoPath(no_path)) => Err(Failure::NoPath(format!(
+            "there is no path: start and target are parted by {}",
+            or_none(&no_path.separating_obstacle_ids)
+        ))),
+        None => Err(Failure::Internal("the answer holds neither a plan nor that there is none".to_owned())),
+    }
+}
+
+fn or_none(ids: &[String]) -> String {
+    if ids.is_empty() { "nothing but the work area's border, if any".to_owned() } else { ids.join(", ") }
+}
+
+/// A duration from the wire; what is out of range is 0.
+pub(crate) fn duration(wire: &prost_types::Duration) -> Duration {
+    Duration::try_from(*wire).unwrap_or_default()
+}

@@ -1,0 +1,57 @@
+//! Calls with a deadline, tried again when the server can't be reached: UNAVAILABLE only. Everything else is the same the next
+//! time, and a call that may have been served is not repeated blindly.
+
+use crate::traverse::planner_service_client::PlannerServiceClient;
+use crate::traverse::{PlanRapidMoveRequest, PlanRapidMoveResponse};
+use std::time::{Duration, Instant};
+use tonic::transport::{Channel, Endpoint};
+use tonic::{Code, Request, Status};
+
+/// Waiting doubles from here, for each try.
+const FIRST_PAUSE: Duration = Duration::from_millis(100);
+
+/// No pause is longer.
+const LONGEST_PAUSE: Duration = Duration::from_secs(2);
+
+/// A client of the server at an address such as `http://127.0.0.1:50051`. Connects with the first call, and again when
+/// the connection broke.
+///
+/// # Errors
+/// It is no address.
+pub fn connect(address: &str) -> Result<PlannerServiceClient<Channel>, tonic::transport::Error> {
+    let endpoint: Endpoint = Channel::from_shared(address.to_owned())
+        .map_or_else(|_| Endpoint::new(address.to_owned()), Ok)?
+        .connect_timeout(Duration::from_secs(5));
+    // GetLimits.message_bytes is the server's limit; tonic's own is 4 MiB.
+    Ok(PlannerServiceClient::new(endpoint.connect_lazy()).max_decoding_message_size(64 << 20))
+}
+
+/// Plans one rapid move within `patience`, tries included.
+///
+/// # Errors
+/// The last try's status.
+pub async fn plan_rapid_move(
+    client: &mut PlannerServiceClient<Channel>,
+    request: &PlanRapidMoveRequest,
+    patience: Duration,
+) -> Result<PlanRapidMoveResponse, Status> {
+    let end = Instant::now() + patience;
+    let mut pause = FIRST_PAUSE;
+    loop {
+        let left = end.saturating_duration_since(Instant::now());
+        let mut call = Request::new(request.clone());
+        // Sent along as grpc-timeout: the server stops in time by itself, and answers shortly before.
+        call.set_timeout(left);
+        let status = match client.plan_rapid_move(call).await {
+            Ok(response) => return Ok(response.into_inner()),
+            Err(status) => status,
+        };
+        // With jitter, so that clients that were cut off together do not come back together.
+        let jittered = pause.mul_f64(0.5 + fastrand::f64() / 2.0);
+        if status.code() != Code::Unavailable || Instant::now() + jittered >= end {
+            return Err(status);
+        }
+        tokio::time::sleep(jittered).await;
+        pause = (pause * 2).min(LONGEST_PAUSE);
+    }
+}
