@@ -58,7 +58,7 @@ const MOVES: [Move; 8] = [
     rapid(("turned-shaft.dxf", SHAFT), "lathe-undercut", (100.0, 38.0), (206.0, 38.0), 4.0, CornerStyle::Round),
     rapid(("turned-shaft.dxf", SHAFT), "lathe-to-tailstock", (70.0, 60.0), (310.0, 30.0), 4.0, CornerStyle::Round),
     rapid(("leather-hide.dxf", HIDE), "hide-across", (210.0, 300.0), (1120.0, 480.0), 6.0, CornerStyle::Round),
-    rapid(("leather-hide.dxf", HIDE), "hide-past-the-brand", (345.0, 330.0), (1000.0, 640.0), 6.0, CornerStyle::Round),
+    rapid(("leather-hide.dxf", HIDE), "hide-out-of-the-nest", (303.0, 430.0), (1000.0, 640.0), 4.0, CornerStyle::Round),
 ];
 
 pub(crate) async fn run(arguments: Demo) -> Result<(), Failure> {

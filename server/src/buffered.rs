@@ -31,10 +31,12 @@ impl Buffered {
         Held { of: self.clone(), bytes: 0 }
     }
 
-    /// Reads a body whose size may be `limit`; `inspect` sees what has come so far and may refuse it early.
+    /// Reads a body: `framing` bytes and a message of at most `limit`. `inspect` sees what has come so far and may refuse
+    /// it early.
     pub(crate) async fn read<B>(
         &self,
         body: B,
+        framing: usize,
         limit: usize,
         inspect: impl Fn(&[u8]) -> Result<(), Refused>,
     ) -> Result<(Bytes, Held), Refused>
@@ -45,18 +47,17 @@ impl Buffered {
         let mut held = self.hold();
         let mut read = BytesMut::new();
         let mut body = pin!(body);
-        let announced = body.size_hint().lower();
-        if announced > limit as u64 {
-            return Err(Refused::MessageTooLarge { bytes: announced, limit });
-        }
+        let fits = |bytes: u64| match bytes.saturating_sub(framing as u64) {
+            bytes if bytes > limit as u64 => Err(Refused::MessageTooLarge { bytes, limit }),
+            _ => Ok(()),
+        };
+        fits(body.size_hint().lower())?;
         while let Some(frame) = body.frame().await {
             let frame = frame.map_err(|error| Refused::MalformedMessage {
                 detail: format!("the request broke off after {} bytes: {error}", read.len()),
             })?;
             let Ok(data) = frame.into_data() else { continue };
-            if read.len() + data.len() > limit {
-                return Err(Refused::MessageTooLarge { bytes: (read.len() + data.len()) as u64, limit });
-            }
+            fits((read.len() + data.len()) as u64)?;
             held.grow(data.len())?;
             read.extend_from_slice(&data);
             inspect(&read)?;
@@ -89,13 +90,16 @@ mod tests {
     use http_body_util::Full;
 
     async fn read(buffered: &Buffered, bytes: usize, limit: usize) -> Result<(Bytes, Held), Refused> {
-        buffered.read(Full::new(Bytes::from(vec![0; bytes])), limit, |_| Ok(())).await
+        buffered.read(Full::new(Bytes::from(vec![0; bytes])), 0, limit, |_| Ok(())).await
     }
 
     #[tokio::test]
     async fn one_body_and_all_bodies_are_bounded() {
         let buffered = Buffered::new(100);
-        assert_eq!(read(&buffered, 51, 50).await.err().map(|refused| refused.reason()), Some("MESSAGE_TOO_LARGE"));
+        assert_eq!(
+            read(&buffered, 51, 50).await.err().map(|refused| refused.reason()),
+            Some("MESSAGE_TOO_LARGE")
+        );
         let first = read(&buffered, 50, 50).await.expect("fits");
         let second = read(&buffered, 50, 50).await.expect("fits");
         assert_eq!(read(&buffered, 1, 50).await.err().map(|refused| refused.reason()), Some("QUEUE_FULL"));

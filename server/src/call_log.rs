@@ -19,7 +19,9 @@ impl CallLog {
         // What the caller made up does not go into the log.
         let method = match Procedure::at_path(path) {
             Some(procedure) => procedure.name().to_owned(),
-            None if path.starts_with("/grpc.") => path.rsplit('/').next().unwrap_or_default().chars().take(40).collect(),
+            None if path.starts_with("/grpc.") => {
+                path.rsplit('/').next().unwrap_or_default().chars().take(40).collect()
+            }
             None => "unknown".to_owned(),
         };
         Self { call: Arc::clone(call), method, ended: false }

@@ -90,7 +90,8 @@ impl Caller {
         post.headers_mut().insert(header::CONTENT_TYPE, header::HeaderValue::from_static("application/json"));
         match self {
             Self::InProcess(server) => {
-                let response = server.http_service().oneshot(post).await.unwrap_or_else(|never| match never {});
+                let response =
+                    server.http_service().oneshot(post).await.unwrap_or_else(|never| match never {});
                 read("this process", response).await
             }
             Self::Remote(server) => {
@@ -123,7 +124,8 @@ where
     let status = response.status();
     let body = Limited::new(response.into_body(), ANSWER_BYTES).collect().await;
     let body = body.map_err(|error| broken(error.to_string()))?.to_bytes();
-    let text = String::from_utf8(body.into()).map_err(|_| broken(format!("it answers {status} and no text")))?;
+    let text =
+        String::from_utf8(body.into()).map_err(|_| broken(format!("it answers {status} and no text")))?;
     if status.is_success() {
         return Ok(text);
     }

@@ -75,7 +75,11 @@ impl Config {
         at_least("limits.step_count", limits.step_count, 1);
         at_least("buffered_bytes", self.buffered_bytes, limits.message_bytes);
         if u32::try_from(limits.message_bytes).is_err() {
-            findings.push(format!("limits.message_bytes is {}; gRPC frames end at {}", limits.message_bytes, u32::MAX));
+            findings.push(format!(
+                "limits.message_bytes is {}; gRPC frames end at {}",
+                limits.message_bytes,
+                u32::MAX
+            ));
         }
         if self.workers > 1024 {
             findings.push(format!("workers is {}; more than 1024 threads serve nobody", self.workers));

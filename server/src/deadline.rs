@@ -61,7 +61,9 @@ fn less_reserve(timeout: Duration) -> Duration {
 pub(crate) fn grpc_timeout(headers: &HeaderMap) -> Result<Option<Duration>, Refused> {
     let Some(value) = headers.get(GRPC_TIMEOUT) else { return Ok(None) };
     value.to_str().ok().and_then(parsed_grpc_timeout).map(Some).ok_or_else(|| Refused::MalformedHeader {
-        detail: format!("{GRPC_TIMEOUT} is {value:?}; send at most 8 digits and a unit of H, M, S, m, u or n"),
+        detail: format!(
+            "{GRPC_TIMEOUT} is {value:?}; send at most 8 digits and a unit of H, M, S, m, u or n"
+        ),
     })
 }
 
@@ -96,7 +98,8 @@ pub(crate) fn to_grpc_timeout(timeout: Duration) -> String {
 mod tests {
     use super::*;
 
-    const LIMITS: TimeLimits = TimeLimits { default: Duration::from_secs(10), longest: Duration::from_secs(60) };
+    const LIMITS: TimeLimits =
+        TimeLimits { default: Duration::from_secs(10), longest: Duration::from_secs(60) };
 
     #[test]
     fn the_shortest_counts() {
@@ -130,7 +133,9 @@ mod tests {
         for wrong in ["", "m", "1", "1x", "-1S", "123456789S", "1.5S", "1 S"] {
             assert_eq!(read(wrong).map_err(|refused| refused.reason()), Err("MALFORMED_HEADER"), "{wrong}");
         }
-        for timeout in [Duration::from_micros(1), Duration::from_millis(123_456_789), Duration::from_secs(1 << 40)] {
+        for timeout in
+            [Duration::from_micros(1), Duration::from_millis(123_456_789), Duration::from_secs(1 << 40)]
+        {
             assert!(parsed_grpc_timeout(&to_grpc_timeout(timeout)).is_some_and(|read| read <= timeout));
         }
     }

@@ -2,9 +2,9 @@
 //! panics.
 
 use traverse_checker::{PathCheck, check_rapid_move};
+use traverse_geometry::Scene;
 use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
 use traverse_proto::CheckQuestion;
-use traverse_geometry::Scene;
 use traverse_solve::{Budget, Silent};
 
 /// The engines. Each call runs on a worker of the pool, checks `budget` often and returns soon after it ends.
@@ -25,7 +25,13 @@ pub trait Engines: Send + Sync + 'static {
     /// Checks one rapid move.
     fn check_rapid_move(&self, question: &CheckQuestion, budget: &Budget) -> PathCheck {
         let _ = budget;
-        check_rapid_move(&question.scene, question.start, question.target, &question.path, question.tolerance_mm)
+        check_rapid_move(
+            &question.scene,
+            question.start,
+            question.target,
+            &question.path,
+            question.tolerance_mm,
+        )
     }
 }
 

@@ -24,7 +24,9 @@ pub(crate) fn check_head(read: &[u8], limit: usize, encoding: Option<&str>) -> R
     match flag {
         0 if length as usize > limit => Err(Refused::MessageTooLarge { bytes: length.into(), limit }),
         0 => Ok(()),
-        COMPRESSED => Err(Refused::UnsupportedEncoding { encoding: encoding.unwrap_or("compressed").to_owned() }),
+        COMPRESSED => {
+            Err(Refused::UnsupportedEncoding { encoding: encoding.unwrap_or("compressed").to_owned() })
+        }
         flag => Err(malformed(format!("a gRPC frame begins with 0 or 1, not with {flag}"))),
     }
 }
@@ -32,7 +34,10 @@ pub(crate) fn check_head(read: &[u8], limit: usize, encoding: Option<&str>) -> R
 /// The one message of a request.
 pub(crate) fn message(request: &[u8]) -> Result<&[u8], Refused> {
     let Some((&[_, a, b, c, d], message)) = request.split_first_chunk::<HEADER>() else {
-        return Err(malformed(format!("a gRPC frame has {HEADER} bytes before the message, the request has {} in all", request.len())));
+        return Err(malformed(format!(
+            "a gRPC frame has {HEADER} bytes before the message, the request has {} in all",
+            request.len()
+        )));
     };
     let length = u32::from_be_bytes([a, b, c, d]) as usize;
     if message.len() == length {
@@ -67,7 +72,11 @@ mod tests {
         assert_eq!(reason(check_head(b"<html", 7, None)), Some("MALFORMED_MESSAGE"));
         assert_eq!(reason(check_head(b"<htm", 7, None)), None);
         for wrong in [&b""[..], b"\0\0", b"\0\0\0\0\x02x", b"\0\0\0\0\x01xx", b"\0\0\0\0\0\0\0\0\0\0"] {
-            assert_eq!(message(wrong).err().map(|refused| refused.reason()), Some("MALFORMED_MESSAGE"), "{wrong:?}");
+            assert_eq!(
+                message(wrong).err().map(|refused| refused.reason()),
+                Some("MALFORMED_MESSAGE"),
+                "{wrong:?}"
+            );
         }
     }
 }

@@ -87,7 +87,7 @@ impl Guard {
         let timeout = grpc_timeout(&head.headers)?;
         let encoding = head.headers.get("grpc-encoding").and_then(|value| value.to_str().ok());
         let inspect = |read: &[u8]| frame::check_head(read, limits.message_bytes, encoding);
-        let read = self.buffered.read(body, limits.message_bytes + frame::HEADER, inspect);
+        let read = self.buffered.read(body, frame::HEADER, limits.message_bytes, inspect);
         let patience = timeout.unwrap_or(self.config.longest_time_limit).min(self.config.longest_time_limit);
         let late = |_| Refused::TimeLimitReached { lower_bound: None };
         let (bytes, held) = tokio::time::timeout(patience, read).await.map_err(late)??;

@@ -10,13 +10,15 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tonic::{Code, Request, Response, Status};
 use traverse_geometry::Scene;
+use traverse_planner::Answer;
 use traverse_proto::v1::planner_service_server::PlannerService;
 use traverse_proto::v1::{
     CheckRapidMoveRequest, CheckRapidMoveResponse, GetLimitsRequest, GetLimitsResponse, PlanRapidMoveRequest,
     PlanRapidMoveResponse,
 };
-use traverse_planner::Answer;
-use traverse_proto::{CheckQuestion, PlanQuestion, Refused, check_answer, plan_answer, requested_time_limit, sound_answer};
+use traverse_proto::{
+    CheckQuestion, PlanQuestion, Refused, check_answer, plan_answer, requested_time_limit, sound_answer,
+};
 use traverse_solve::{Budget, Interrupt};
 
 /// How long the caller is ready to wait, as the transport says it, and since when the request is complete.
@@ -59,7 +61,10 @@ impl PlannerService for Planner {
         self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
     }
 
-    async fn get_limits(&self, request: Request<GetLimitsRequest>) -> Result<Response<GetLimitsResponse>, Status> {
+    async fn get_limits(
+        &self,
+        request: Request<GetLimitsRequest>,
+    ) -> Result<Response<GetLimitsResponse>, Status> {
         let call = call_of(&request);
         self.answer(&call, Ok((limits_answer(&self.config), "limits")))
     }
@@ -134,7 +139,9 @@ fn plan(
             Ok((plan_answer(&answer, stats, prepare, search), outcome))
         }
         Err(refusals) => match Refused::by_planner(refusals) {
-            Some(Refused::IterationLimitReached { .. }) if question.validate_only => Ok((sound_answer(), "valid")),
+            Some(Refused::IterationLimitReached { .. }) if question.validate_only => {
+                Ok((sound_answer(), "valid"))
+            }
             Some(refused) => Err(refused),
             None => Err(crate::fault::of("the planner refused without a reason")),
         },

@@ -59,8 +59,7 @@ impl Pool {
     /// # Errors
     /// The system gives no more threads.
     pub(crate) fn start(workers: usize, capacity: usize) -> std::io::Result<Self> {
-        let shared =
-            Arc::new(Shared { queue: Mutex::default(), work_came: Condvar::new(), capacity });
+        let shared = Arc::new(Shared { queue: Mutex::default(), work_came: Condvar::new(), capacity });
         let pool = Self { shared };
         for number in 0..workers {
             let shared = Arc::clone(&pool.shared);
@@ -164,7 +163,9 @@ mod tests {
         assert_eq!(pool.submit(CancelToken::new(), || ()).err(), Some(QueueFull { capacity: 1 }));
         drop(waiting);
         let (done, is_done) = channel();
-        let next = pool.submit(CancelToken::new(), move || done.send(()).expect("heard")).expect("there is room again");
+        let next = pool
+            .submit(CancelToken::new(), move || done.send(()).expect("heard"))
+            .expect("there is room again");
         end.send(()).expect("it waits");
         is_done.recv_timeout(HANG).expect("it runs");
         drop((running, next));

@@ -78,8 +78,11 @@ impl Server {
         let dispatcher = Arc::new(Dispatcher { pool, hard_stop: hard_stop.clone() });
         let config = Arc::new(config);
         let buffered = Buffered::new(config.buffered_bytes);
-        let planner =
-            Planner { config: Arc::clone(&config), dispatcher: Arc::clone(&dispatcher), engines: Arc::new(engines) };
+        let planner = Planner {
+            config: Arc::clone(&config),
+            dispatcher: Arc::clone(&dispatcher),
+            engines: Arc::new(engines),
+        };
         let (health, routes) = routes(planner)?;
         let guard = Guard { routes, config: Arc::clone(&config), buffered: buffered.clone() };
         let connect = Connect { grpc: guard.clone(), config: Arc::clone(&config), dispatcher, buffered };
@@ -107,9 +110,14 @@ impl Server {
     ///
     /// # Errors
     /// The listener fails for good.
-    pub async fn serve(self, listener: TcpListener, shutdown: impl Future<Output = ()>) -> std::io::Result<()> {
+    pub async fn serve(
+        self,
+        listener: TcpListener,
+        shutdown: impl Future<Output = ()>,
+    ) -> std::io::Result<()> {
         let address = listener.local_addr()?;
         tracing::info!(%address, workers = self.config.workers, "listening");
+        self.health.set_service_status(PLANNER_SERVICE, ServingStatus::Serving).await;
         let (health, grace) = (self.health.clone(), self.config.drain_grace);
         let begun = async move {
             shutdown.await;

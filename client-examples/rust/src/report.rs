@@ -20,7 +20,11 @@ pub fn print_answer(answer: &PlanRapidMoveResponse, to: &mut impl Write) -> io::
         }
         // An answer, not an error: no tool can get there.
         Some(Outcome::NoPath(no_path)) => {
-            writeln!(to, "there is no way: {} part start from target", no_path.separating_obstacle_ids.join(", "))
+            writeln!(
+                to,
+                "there is no way: {} part start from target",
+                no_path.separating_obstacle_ids.join(", ")
+            )
         }
         None => writeln!(to, "the request is sound"),
     }
@@ -33,7 +37,11 @@ fn print_step(step: &PathStep, to: &mut impl Write) -> io::Result<()> {
         Some(arc) => {
             let center = arc.center.unwrap_or_default();
             let code = if arc.clockwise { "G2" } else { "G3" };
-            writeln!(to, "  {code} X{:.4} Y{:.4} about ({:.4}, {:.4})", end.x_mm, end.y_mm, center.x_mm, center.y_mm)
+            writeln!(
+                to,
+                "  {code} X{:.4} Y{:.4} about ({:.4}, {:.4})",
+                end.x_mm, end.y_mm, center.x_mm, center.y_mm
+            )
         }
     }
 }
@@ -45,7 +53,8 @@ fn print_step(step: &PathStep, to: &mut impl Write) -> io::Result<()> {
 pub fn print_refusal(status: &Status, to: &mut impl Write) -> io::Result<()> {
     let reason = status.get_details_error_info().map(|info| info.reason).unwrap_or_default();
     writeln!(to, "refused: {:?} {reason}: {}", status.code(), status.message())?;
-    let findings = status.get_details_bad_request().map(|request| request.field_violations).unwrap_or_default();
+    let findings =
+        status.get_details_bad_request().map(|request| request.field_violations).unwrap_or_default();
     for finding in findings {
         writeln!(to, "  {}: {} ({})", finding.field, finding.description, finding.reason)?;
     }

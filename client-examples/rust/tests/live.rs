@@ -4,7 +4,9 @@ use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::sync::oneshot;
 use traverse_client_example::traverse::PlanRapidMoveRequest;
-use traverse_client_example::{connect, disc, plan_rapid_move, point, print_answer, print_refusal, rectangle, scene};
+use traverse_client_example::{
+    connect, disc, plan_rapid_move, point, print_answer, print_refusal, rectangle, scene,
+};
 use traverse_server::{Config, Server};
 
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -35,7 +37,10 @@ async fn told(request: &PlanRapidMoveRequest) -> String {
 #[tokio::test]
 async fn a_way_is_planned_and_printed() {
     let request = PlanRapidMoveRequest {
-        scene: Some(scene(vec![rectangle("plate", 0.0, 0.0, 60.0, 40.0), disc("boss", 75.0, 30.0, 10.0)], 3.0)),
+        scene: Some(scene(
+            vec![rectangle("plate", 0.0, 0.0, 60.0, 40.0), disc("boss", 75.0, 30.0, 10.0)],
+            3.0,
+        )),
         start: Some(point(-10.0, 5.0)),
         target: Some(point(95.0, 30.0)),
         ..PlanRapidMoveRequest::default()
@@ -72,7 +77,9 @@ async fn every_finding_is_printed() {
         ..PlanRapidMoveRequest::default()
     };
     let text = told(&request).await;
-    for part in ["INVALID_REQUEST", "start.x_mm", "NOT_FINITE", "target", "scene.clearance_mm", "OUT_OF_RANGE"] {
+    for part in
+        ["INVALID_REQUEST", "start.x_mm", "NOT_FINITE", "target", "scene.clearance_mm", "OUT_OF_RANGE"]
+    {
         assert!(text.contains(part), "{part} is not in {text}");
     }
 }

@@ -3,8 +3,8 @@
 //! Where steps meet at an angle their parts of the strip overlap on the inner side of the turn. What lies there is
 //! the nearer one's, and none of it is at a wall.
 //!
-//! Steps shorter than a hundredth of the tolerance are left out: their direction is rounding. Where a path folds
-//! straight back the strip is cut in two.
+//! Steps shorter than a hundredth of the tolerance are left out: their direction is rounding. Where a path turns
+//! back on itself, so that both legs stay within a few tolerances of each other, the strip is cut in two.
 
 use crate::curve::{Curve, cross};
 use traverse_geometry::Point;
@@ -47,8 +47,8 @@ const NEIGHBOUR_REACHES: f64 = 4.0;
 /// How many reaches from the ends it is asked what covers the strip there.
 const SECTION_REACHES: f64 = 3.0;
 
-/// Sine below which a turn back is a reversal.
-const REVERSAL_SINE: f64 = 1e-6;
+/// A hairpin whose legs end nearer than this many reaches to each other cuts the strip.
+const HAIRPIN_REACHES: f64 = 4.0;
 
 impl Strip {
     /// The strip along the steps; one without a curve cuts it.
@@ -65,7 +65,7 @@ impl Strip {
                 continue;
             }
             let last = strip.steps.last();
-            cut |= last.is_some_and(|last| reverses(&last.curve, &curve));
+            cut |= last.is_some_and(|last| turns_back(&last.curve, &curve, reach));
             // Pieces are numbered along one scale, each from 0.
             let from = if cut { 0.0 } else { last.map_or(0.0, |last| last.to) };
             if cut {
@@ -110,13 +110,10 @@ impl Strip {
     ///
     /// `crosses`: it leaves step `at` on both sides, and so crosses it, whatever neighbours do farther along.
     pub(crate) fn wall_at(&self, at: usize, p: Point, crosses: bool) -> Option<Wall> {
-        // A hairpin comes back to where the path began.
-        let ends = [self.steps.first().map(|step| step.curve.start()), self.steps.last().map(|step| step.curve.end())];
-        let returns = ends.into_iter().flatten().any(|end| (p - end).norm() <= END_REACHES * self.reach);
-        if returns || self.is_near_end(at, p) {
+        let step = &self.steps[at];
+        if self.is_near_end(at, p) {
             return None;
         }
-        let step = &self.steps[at];
         let fraction = step.curve.nearest_fraction(p);
         let beside = fraction > 0.0 && fraction < 1.0;
         // What is nearer to the next step across a sharp turn lies beyond the bisector: it is the other one's.
@@ -168,7 +165,9 @@ impl Strip {
     }
 }
 
-fn reverses(arriving: &Curve, leaving: &Curve) -> bool {
+/// Whether the path turns back so sharply that both steps are hardly out of each other's reach where they end.
+fn turns_back(arriving: &Curve, leaving: &Curve, reach: f64) -> bool {
     let (from, to) = (arriving.direction_at(1.0), leaving.direction_at(0.0));
-    from.dot(&to) < 0.0 && cross(from, to).abs() < REVERSAL_SINE
+    let apart = arriving.length().min(leaving.length()) * cross(from, to).abs();
+    from.dot(&to) < 0.0 && apart < HAIRPIN_REACHES * reach
 }

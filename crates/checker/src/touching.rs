@@ -8,7 +8,7 @@
 //! reach a wall if what lies between is covered. Overlap, holes and weakly simple rings are no special cases.
 //!
 //! Limits, all on the side of accepting: places within two tolerances of start and target belong to them; where a
-//! path folds straight back both ways are looked at apart; circular edges touch within the rounding of their
+//! path turns back on itself within a few tolerances both legs are looked at apart; circular edges touch within the rounding of their
 //! numbers only; of edges that crowd in one place (see [`PAIR_LIMIT`]) only shared vertices and the first pairs
 //! are compared. Cost: linear in the contacts, but for edges side by side, which are compared in pairs.
 

@@ -419,3 +419,55 @@ fn ids_of_what_bends_the_path_are_in_its_order() {
     assert_eq!(plan(&stair, point(-10.0, 0.0), point(60.0, 40.0)).bending_obstacles, ["o0", "o1"]);
     assert_eq!(plan(&stair, point(60.0, 40.0), point(-10.0, 0.0)).bending_obstacles, ["o1", "o0"]);
 }
+
+/// A collar whose rounded corners were written with twelve digits, as drawings are: neither quite smooth nor quite not.
+#[test]
+fn corners_that_are_smooth_but_for_rounding_leave_no_gap() {
+    for digits in [6, 9, 11, 12, 13] {
+        let scale = 10.0_f64.powi(digits);
+        let rounded = |x: f64| (x / 25.4 * scale).round() / scale * 25.4;
+        let bulge = -((std::f64::consts::SQRT_2 - 1.0) * scale).round() / scale;
+        let vertices = [
+            (24.0, 0.0),
+            (24.0, 30.0),
+            (120.0, 30.0),
+            (120.0, 58.0),
+            (124.0, 62.0),
+            (148.0, 62.0),
+            (152.0, 58.0),
+            (152.0, 30.0),
+            (299.0, 30.0),
+            (299.0, 0.0),
+        ];
+        let bulges = vec![0.0, 0.0, 0.0, bulge, 0.0, bulge, 0.0, 0.0, 0.0, 0.0];
+        let ring = Ring::new(vertices.map(|(x, y)| point(rounded(x), rounded(y))).to_vec(), bulges).unwrap();
+        for clearance in [0.0, 4.0] {
+            let mut lathe = scene([Polygon::from_ring(ring.clone())], clearance);
+            lathe.work_area = Some(rectangle(-20.0, 0.0, 380.0, 140.0));
+            let expected = {
+                let exact = [
+                    (24.0, 0.0),
+                    (24.0, 30.0),
+                    (124.0, 30.0),
+                    (124.0, 58.0),
+                    (148.0, 58.0),
+                    (148.0, 30.0),
+                    (299.0, 30.0),
+                    (299.0, 0.0),
+                ];
+                let inner = Scene {
+                    obstacles: scene([polygon(&exact)], clearance + 4.0).obstacles,
+                    clearance_mm: clearance + 4.0,
+                    ..lathe.clone()
+                };
+                plan(&inner, point(100.0, 50.0), point(206.0, 50.0)).cost
+            };
+            let way = plan(&lathe, point(100.0, 50.0), point(206.0, 50.0));
+            assert!(
+                (way.cost - expected).abs() < 20.0 / scale + 1e-9,
+                "{digits} digits: {} {expected}",
+                way.cost
+            );
+        }
+    }
+}

@@ -26,18 +26,17 @@ fn mutations(path: &Path) -> Vec<(String, Path)> {
         add(format!("vertex {i}"), &|path| path.steps[i].end += inwards * SHIFT_MM);
     }
     for (i, step) in path.steps.iter().enumerate() {
-        if let Some(arc) = step.arc {
-            for by in [Vector::x(), Vector::y(), -Vector::x(), -Vector::y()] {
-                // A centre that moves across the chord's axis only keeps both radii equal: along it, they differ.
-                let along = (edges[i].end() - edges[i].start()).normalize();
-                if by.dot(&along).abs() > 0.5 {
-                    let center = arc.center + by * SHIFT_MM;
-                    add(format!("centre {i}"), &move |path| {
-                        if let Some(arc) = &mut path.steps[i].arc {
-                            arc.center = center;
-                        }
-                    });
-                }
+        // A centre that moves along the chord sets both radii apart, by twice the sine of half the sweep. On an arc
+        // so short that this stays within a tolerance nothing of the path has moved.
+        if let Some(arc) = step.arc.filter(|arc| arc.sweep.abs() > 0.25) {
+            let along = (edges[i].end() - edges[i].start()).normalize();
+            for by in [along, -along] {
+                let center = arc.center + by * SHIFT_MM;
+                add(format!("centre {i}"), &move |path| {
+                    if let Some(arc) = &mut path.steps[i].arc {
+                        arc.center = center;
+                    }
+                });
             }
         }
     }

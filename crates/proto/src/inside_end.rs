@@ -16,6 +16,9 @@ pub struct InsideEnd {
 impl fmt::Display for InsideEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { field, obstacle, depth_mm } = self;
-        write!(f, "{field} lies {depth_mm} mm inside the barrier of {obstacle}: move it out or lower the clearance")
+        write!(
+            f,
+            "{field} lies {depth_mm} mm inside the barrier of {obstacle}: move it out or lower the clearance"
+        )
     }
 }

@@ -131,7 +131,7 @@ mod tests {
     fn what_is_wrong_is_named_with_its_path() {
         for (text, path, what) in [
             (r#"{"scene":{"obstacles":[{"shape":{"outre":{}}}]}}"#, "scene.obstacles[0].shape", "outre"),
-            (r#"{"start":{"x_mm":"far"}}"#, "start.x_mm", "far"),
+            (r#"{"start":{"x_mm":"far"}}"#, "start.x_mm", "invalid float"),
             (r#"{"start":{"x_mm":1e999}}"#, "start.x_mm", "out of range"),
             ("", "", "EOF"),
             ("<html>", "", "expected value"),

@@ -7,7 +7,8 @@ use std::sync::LazyLock;
 pub const PLANNER_SERVICE: &str = "traverse.v1.PlannerService";
 
 static CONTRACT: LazyLock<DescriptorPool> = LazyLock::new(|| {
-    DescriptorPool::decode(crate::FILE_DESCRIPTOR_SET).expect("invariant: build.rs wrote a valid descriptor set")
+    DescriptorPool::decode(crate::FILE_DESCRIPTOR_SET)
+        .expect("invariant: build.rs wrote a valid descriptor set")
 });
 
 /// What error details are made of, to show them as JSON.
@@ -45,7 +46,10 @@ impl Procedure {
 
     /// Every call of the contract.
     pub fn all() -> impl Iterator<Item = Self> {
-        CONTRACT.services().flat_map(|service| service.methods().collect::<Vec<_>>()).map(|method| Self { method })
+        CONTRACT
+            .services()
+            .flat_map(|service| service.methods().collect::<Vec<_>>())
+            .map(|method| Self { method })
     }
 
     /// Its name without the service.
@@ -90,7 +94,14 @@ mod tests {
             assert_eq!(Procedure::at_path(path).expect("its own path").path(), *path);
         }
         assert_eq!(Procedure::named("PlanRapidMove").expect("by name").path(), paths[0]);
-        for wrong in ["", "/", "/traverse.v1.PlannerService", "/traverse.v1.PlannerService/", "/x/PlanRapidMove", "/a/b/c"] {
+        for wrong in [
+            "",
+            "/",
+            "/traverse.v1.PlannerService",
+            "/traverse.v1.PlannerService/",
+            "/x/PlanRapidMove",
+            "/a/b/c",
+        ] {
             assert!(Procedure::at_path(wrong).is_none(), "{wrong}");
         }
         assert!(error_detail("google.rpc.BadRequest").is_some());

@@ -10,11 +10,8 @@ use traverse_proto::json::error_detail_to_json;
 
 /// The body of a Connect error.
 pub(super) fn error_body(status: &Status) -> Vec<u8> {
-    let error = Error {
-        code: name(status.code()),
-        message: status.message(),
-        details: details(status.details()),
-    };
+    let error =
+        Error { code: name(status.code()), message: status.message(), details: details(status.details()) };
     serde_json::to_vec(&error).unwrap_or_else(|_| br#"{"code":"internal"}"#.to_vec())
 }
 

@@ -17,7 +17,8 @@ impl Encoding {
         let content_type = headers.get(header::CONTENT_TYPE)?.to_str().ok()?;
         let (kind, parameters) = content_type.split_once(';').unwrap_or((content_type, ""));
         let utf_8 = parameters.split_once('=').is_none_or(|(name, value)| {
-            !name.trim().eq_ignore_ascii_case("charset") || value.trim().trim_matches('"').eq_ignore_ascii_case("utf-8")
+            !name.trim().eq_ignore_ascii_case("charset")
+                || value.trim().trim_matches('"').eq_ignore_ascii_case("utf-8")
         });
         match kind.trim().to_ascii_lowercase().as_str() {
             "application/json" if utf_8 => Some(Self::Json),
@@ -39,17 +40,22 @@ pub(super) fn timeout(headers: &HeaderMap) -> Result<Option<Duration>, Refused> 
     if let Some(encoding) = headers.get(header::CONTENT_ENCODING)
         && encoding.as_bytes() != b"identity"
     {
-        return Err(Refused::UnsupportedEncoding { encoding: String::from_utf8_lossy(encoding.as_bytes()).into_owned() });
+        return Err(Refused::UnsupportedEncoding {
+            encoding: String::from_utf8_lossy(encoding.as_bytes()).into_owned(),
+        });
     }
     if let Some(version) = headers.get("connect-protocol-version")
         && version.as_bytes() != b"1"
     {
-        return Err(Refused::MalformedHeader { detail: format!("connect-protocol-version is {version:?}; send 1") });
+        return Err(Refused::MalformedHeader {
+            detail: format!("connect-protocol-version is {version:?}; send 1"),
+        });
     }
     let Some(value) = headers.get("connect-timeout-ms") else { return Ok(None) };
-    let digits = value.to_str().ok().filter(|text| text.len() <= 10 && text.bytes().all(|byte| byte.is_ascii_digit()));
+    let digits =
+        value.to_str().ok().filter(|text| text.len() <= 10 && text.bytes().all(|byte| byte.is_ascii_digit()));
     let milliseconds = digits.and_then(|digits| digits.parse().ok());
-    milliseconds.map(|milliseconds| Some(Duration::from_millis(milliseconds))).ok_or_else(|| Refused::MalformedHeader {
-        detail: format!("connect-timeout-ms is {value:?}; send 1 to 10 digits"),
+    milliseconds.map(|milliseconds| Some(Duration::from_millis(milliseconds))).ok_or_else(|| {
+        Refused::MalformedHeader { detail: format!("connect-timeout-ms is {value:?}; send 1 to 10 digits") }
     })
 }

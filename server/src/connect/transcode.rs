@@ -44,7 +44,12 @@ impl Connect {
         }
         let Some(encoding) = Encoding::of(request.headers()) else {
             let known = "application/json, application/proto";
-            return bare(call, StatusCode::UNSUPPORTED_MEDIA_TYPE, header::HeaderName::from_static("accept-post"), known);
+            return bare(
+                call,
+                StatusCode::UNSUPPORTED_MEDIA_TYPE,
+                header::HeaderName::from_static("accept-post"),
+                known,
+            );
         };
         match self.transcode(call, &procedure, encoding, request).await {
             Ok(body) => response(StatusCode::OK, encoding.content_type(), body),
@@ -67,7 +72,7 @@ impl Connect {
         let patience = timeout.unwrap_or(self.config.longest_time_limit).min(self.config.longest_time_limit);
         let deadline = call.arrival.checked_add(patience);
         let limit = self.config.limits.message_bytes;
-        let read = self.buffered.read(request.into_body(), limit, |_| Ok(()));
+        let read = self.buffered.read(request.into_body(), 0, limit, |_| Ok(()));
         let late = |_| Refused::TimeLimitReached { lower_bound: None };
         let (body, held) = tokio::time::timeout(patience, read).await.map_err(late)??;
         call.note(|facts| facts.bytes = body.len() as u64);
@@ -124,7 +129,12 @@ async fn write(procedure: &Procedure, message: Bytes) -> Result<Bytes, Failure> 
     Ok(written.await.map_err(broken)??)
 }
 
-fn grpc_request(call: &Arc<Call>, procedure: &Procedure, message: &[u8], timeout: Option<Duration>) -> Request<Body> {
+fn grpc_request(
+    call: &Arc<Call>,
+    procedure: &Procedure,
+    message: &[u8],
+    timeout: Option<Duration>,
+) -> Request<Body> {
     let mut request = Request::new(Body::new(Full::new(frame::framed(message))));
     *request.method_mut() = Method::POST;
     *request.version_mut() = http::Version::HTTP_2;
@@ -150,8 +160,9 @@ async fn message_of(answer: Response<Body>) -> Result<Bytes, Failure> {
         return Err(Failure::Status(status));
     }
     let bytes = collected.to_bytes();
-    let message = frame::message(&bytes)
-        .map_err(|refused| crate::fault::of(&format!("tonic answered no whole message: {}", refused.message())))?;
+    let message = frame::message(&bytes).map_err(|refused| {
+        crate::fault::of(&format!("tonic answered no whole message: {}", refused.message()))
+    })?;
     Ok(bytes.slice_ref(message))
 }
 

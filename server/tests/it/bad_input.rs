@@ -16,7 +16,8 @@ pub(crate) fn reason(status: &Status) -> String {
 
 /// Field and reason of every finding.
 fn findings(status: &Status) -> Vec<(String, String)> {
-    let violations = status.get_details_bad_request().map(|request| request.field_violations).unwrap_or_default();
+    let violations =
+        status.get_details_bad_request().map(|request| request.field_violations).unwrap_or_default();
     violations.into_iter().map(|violation| (violation.field, violation.reason)).collect()
 }
 
@@ -35,7 +36,7 @@ async fn every_finding_comes_at_once() {
         obstacle("a", polygon(vec![0.0, 0.0, 1e308, 0.0, f64::NAN, 1.0])),
         obstacle("a", square(20.0, 0.0, 1.0)),
         obstacle("", polygon(vec![0.0, 0.0, 1.0, 0.0, 1.0])),
-        obstacle("work_area", polygon(vec![0.0, 0.0, 2.0, 2.0, 2.0, 0.0, 0.0, 2.0])),
+        obstacle("work_area", polygon(vec![0.0, 0.0, 4.0, 4.0, 4.0, 0.0, 0.0, 2.0])),
         v1::Obstacle { id: "e".to_owned(), ..Default::default() },
         obstacle("f", v1::Polygon::default()),
         negative,
@@ -134,7 +135,8 @@ async fn a_path_to_check_is_validated_too() {
 #[tokio::test]
 async fn ends_inside_barriers_are_refused_with_obstacle_and_depth() {
     let server = Running::start().await;
-    let request = v1::PlanRapidMoveRequest { start: point(5.0, 9.0), target: point(12.0, 5.0), ..past_a_block() };
+    let request =
+        v1::PlanRapidMoveRequest { start: point(5.0, 9.0), target: point(12.0, 5.0), ..past_a_block() };
     let status = server.client().await.plan_rapid_move(request).await.expect_err("both lie inside");
     assert_eq!((status.code(), reason(&status).as_str()), (Code::InvalidArgument, "END_INSIDE_BARRIER"));
     let inside = "END_INSIDE_BARRIER";
@@ -179,7 +181,8 @@ async fn counts_beyond_the_limits_are_named() {
     let server = Running::with(small(), TraverseEngines).await;
     let mut client = server.client().await;
     let refused = async |client: &mut v1::planner_service_client::PlannerServiceClient<_>, count: usize| {
-        let obstacles = (0..count).map(|i| obstacle(&format!("o{i}"), square(9.0 * i as f64, 0.0, 1.0))).collect();
+        let obstacles =
+            (0..count).map(|i| obstacle(&format!("o{i}"), square(9.0 * i as f64, 0.0, 1.0))).collect();
         let scene = v1::Scene { obstacles, ..Default::default() };
         let request = v1::PlanRapidMoveRequest { scene: Some(scene), ..past_a_block() };
         client.plan_rapid_move(request).await.expect_err("too many")
@@ -188,7 +191,8 @@ async fn counts_beyond_the_limits_are_named() {
     assert_eq!(findings(&refused(&mut client, 4).await), found(&[("scene.obstacles", "TOO_MANY")]));
     let steps = vec![v1::PathStep { end: point(0.0, 0.0), arc: None }; 3];
     let path = v1::Path { start: point(0.0, 0.0), steps, length_mm: 0.0 };
-    let check = v1::CheckRapidMoveRequest { request: Some(past_a_block()), path: Some(path), tolerance_mm: None };
+    let check =
+        v1::CheckRapidMoveRequest { request: Some(past_a_block()), path: Some(path), tolerance_mm: None };
     let status = client.check_rapid_move(check).await.expect_err("too many");
     assert_eq!(findings(&status), found(&[("path.steps", "TOO_MANY")]));
 }
@@ -201,7 +205,11 @@ async fn oversized_requests_are_refused_with_the_limit_in_every_protocol() {
     let scene = v1::Scene { obstacles: vec![obstacle("a", shape)], ..Default::default() };
     let request = v1::PlanRapidMoveRequest { scene: Some(scene), ..past_a_block() };
     let status = server.client().await.plan_rapid_move(request.clone()).await.expect_err("too large");
-    assert_eq!((status.code(), reason(&status).as_str()), (Code::ResourceExhausted, "MESSAGE_TOO_LARGE"), "{status}");
+    assert_eq!(
+        (status.code(), reason(&status).as_str()),
+        (Code::ResourceExhausted, "MESSAGE_TOO_LARGE"),
+        "{status}"
+    );
     assert_eq!(status.get_details_error_info().expect("there").metadata["limit_bytes"], "4096");
 
     let bytes = request.encode_to_vec();
@@ -220,20 +228,32 @@ async fn bytes_that_are_no_message_are_the_callers_fault() {
     let path = "/traverse.v1.PlannerService/PlanRapidMove";
     let whole = past_a_block().encode_to_vec();
     let cut = whole[..whole.len() - 3].to_vec();
-    let bad_messages = [vec![0xff; 64], cut, b"<!doctype html>".to_vec(), vec![0x0a, 0xff, 0xff, 0xff, 0xff, 0x0f]];
+    let bad_messages =
+        [vec![0xff; 64], cut, b"<!doctype html>".to_vec(), vec![0x0a, 0xff, 0xff, 0xff, 0xff, 0x0f]];
     for message in bad_messages {
         let answer = send(server.address, post(path, "application/proto", message.clone())).await;
-        assert_eq!((answer.status.as_u16(), answer.reason().as_str()), (400, "MALFORMED_MESSAGE"), "{message:?}");
+        assert_eq!(
+            (answer.status.as_u16(), answer.reason().as_str()),
+            (400, "MALFORMED_MESSAGE"),
+            "{message:?}"
+        );
         let answer = send(server.address, post(path, "application/grpc-web+proto", framed(&message))).await;
         assert_eq!(answer.headers["grpc-status"], "3", "{message:?}");
     }
     let frame = framed(&whole);
-    let bad_frames = [&b""[..], b"\0", b"<html></html>", &frame[..frame.len() - 1], &[frame.to_vec(), frame.to_vec()].concat()];
+    let bad_frames = [
+        &b""[..],
+        b"\0",
+        b"<html></html>",
+        &frame[..frame.len() - 1],
+        &[frame.to_vec(), frame.to_vec()].concat(),
+    ];
     for frame in bad_frames {
         let answer = send(server.address, post(path, "application/grpc-web+proto", frame.to_vec())).await;
         assert_eq!(answer.headers["grpc-status"], "3", "{frame:?}");
     }
-    let compressed = send(server.address, post(path, "application/grpc-web+proto", &b"\x01\0\0\0\x01x"[..])).await;
+    let compressed =
+        send(server.address, post(path, "application/grpc-web+proto", &b"\x01\0\0\0\x01x"[..])).await;
     assert_eq!(compressed.headers["grpc-status"], "12");
 }
 
@@ -265,5 +285,9 @@ async fn a_timeout_header_that_is_none_is_refused() {
     let mut request = tonic::Request::new(with_time_limit(5, 0));
     request.metadata_mut().insert("grpc-timeout", "soon".parse().expect("ascii"));
     let status = server.client().await.plan_rapid_move(request).await.expect_err("no timeout");
-    assert_eq!((status.code(), reason(&status).as_str()), (Code::InvalidArgument, "MALFORMED_HEADER"), "{status}");
+    assert_eq!(
+        (status.code(), reason(&status).as_str()),
+        (Code::InvalidArgument, "MALFORMED_HEADER"),
+        "{status}"
+    );
 }

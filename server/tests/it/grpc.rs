@@ -3,9 +3,9 @@
 use crate::request::{PAST_A_BLOCK_MM, obstacle, past_a_block, point, square};
 use crate::running::Running;
 use tokio_stream::StreamExt;
+use tonic_health::pb::HealthCheckRequest;
 use tonic_health::pb::health_check_response::ServingStatus;
 use tonic_health::pb::health_client::HealthClient;
-use tonic_health::pb::HealthCheckRequest;
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::v1::{self, GetLimitsRequest};
 
@@ -34,7 +34,8 @@ async fn a_path_through_an_obstacle_is_reported() {
     let server = Running::start().await;
     let step = v1::PathStep { end: point(15.0, 2.0), arc: None };
     let path = v1::Path { start: point(-5.0, 2.0), steps: vec![step], length_mm: 0.0 };
-    let check = v1::CheckRapidMoveRequest { request: Some(past_a_block()), path: Some(path), tolerance_mm: None };
+    let check =
+        v1::CheckRapidMoveRequest { request: Some(past_a_block()), path: Some(path), tolerance_mm: None };
     let found = server.client().await.check_rapid_move(check).await.expect("sound").into_inner();
     let [violation] = found.violations.as_slice() else { panic!("{found:?}") };
     assert_eq!((violation.field.as_str(), violation.obstacle_id.as_str()), ("path.steps[0]", "block"));
@@ -47,7 +48,11 @@ async fn an_enclosed_target_is_an_answer() {
     let mut wall = square(-20.0, -20.0, 40.0);
     wall.holes.extend(square(-10.0, -10.0, 20.0).outer);
     let request = v1::PlanRapidMoveRequest {
-        scene: Some(v1::Scene { obstacles: vec![obstacle("wall", wall)], clearance_mm: 1.0, ..Default::default() }),
+        scene: Some(v1::Scene {
+            obstacles: vec![obstacle("wall", wall)],
+            clearance_mm: 1.0,
+            ..Default::default()
+        }),
         start: point(0.0, 0.0),
         target: point(50.0, 0.0),
         ..Default::default()
@@ -95,7 +100,8 @@ async fn a_call_that_does_not_exist_is_refused_with_its_reason() {
     grpc.ready().await.expect("connected");
     let codec = traverse_proto::codec::WireCodec::<GetLimitsRequest, v1::GetLimitsResponse>::default();
     let path = http::uri::PathAndQuery::from_static("/traverse.v1.PlannerService/PlanEverything");
-    let status = grpc.unary(tonic::Request::new(GetLimitsRequest {}), path, codec).await.expect_err("there is none");
+    let status =
+        grpc.unary(tonic::Request::new(GetLimitsRequest {}), path, codec).await.expect_err("there is none");
     assert_eq!(status.code(), tonic::Code::Unimplemented);
     assert_eq!(crate::bad_input::reason(&status), "UNKNOWN_METHOD");
 }

@@ -35,7 +35,8 @@ impl Answer {
 
 pub(crate) async fn send(address: SocketAddr, request: Request<Full<Bytes>>) -> Answer {
     let stream = TcpStream::connect(address).await.expect("it listens");
-    let (mut sender, connection) = hyper::client::conn::http1::handshake(TokioIo::new(stream)).await.expect("HTTP/1.1");
+    let (mut sender, connection) =
+        hyper::client::conn::http1::handshake(TokioIo::new(stream)).await.expect("HTTP/1.1");
     tokio::spawn(connection);
     let (head, body) = sender.send_request(request).await.expect("an answer").into_parts();
     let body = body.collect().await.expect("all of it").to_bytes();
@@ -43,7 +44,8 @@ pub(crate) async fn send(address: SocketAddr, request: Request<Full<Bytes>>) -> 
 }
 
 pub(crate) fn post(path: &str, content_type: &str, body: impl Into<Bytes>) -> Request<Full<Bytes>> {
-    let request = Request::builder().method(Method::POST).uri(path).header(header::CONTENT_TYPE, content_type);
+    let request =
+        Request::builder().method(Method::POST).uri(path).header(header::CONTENT_TYPE, content_type);
     request.header(header::HOST, "localhost").body(Full::new(body.into())).expect("a request")
 }
 

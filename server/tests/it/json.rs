@@ -30,7 +30,10 @@ async fn curl_plans_a_move() {
 async fn protobuf_over_post_is_the_same_call() {
     let server = Running::start().await;
     let answer = send(server.address, post(PATH, "application/proto", past_a_block().encode_to_vec())).await;
-    assert_eq!((answer.status, &answer.headers[header::CONTENT_TYPE]), (StatusCode::OK, &HeaderValue::from_static("application/proto")));
+    assert_eq!(
+        (answer.status, &answer.headers[header::CONTENT_TYPE]),
+        (StatusCode::OK, &HeaderValue::from_static("application/proto"))
+    );
     let message = v1::PlanRapidMoveResponse::decode(answer.body).expect("the answer");
     assert!(matches!(message.outcome, Some(Outcome::Plan(_))));
 }
@@ -43,7 +46,8 @@ async fn errors_are_connects() {
     assert_eq!(answer.json()["code"], "invalid_argument");
     assert_eq!(answer.reason(), "INVALID_REQUEST");
     let violations = answer.detail("google.rpc.BadRequest")["fieldViolations"].clone();
-    let fields: Vec<&str> = violations.as_array().expect("a list").iter().filter_map(|v| v["field"].as_str()).collect();
+    let fields: Vec<&str> =
+        violations.as_array().expect("a list").iter().filter_map(|v| v["field"].as_str()).collect();
     assert_eq!(fields, ["start.x_mm", "target"]);
     let value = answer.json()["details"][0]["value"].as_str().expect("encoded").to_owned();
     assert!(!value.contains('='), "no padding: {value}");
@@ -52,12 +56,19 @@ async fn errors_are_connects() {
 #[tokio::test]
 async fn what_is_no_call_is_answered_as_the_protocol_says() {
     let server = Running::start().await;
-    let unknown = send(server.address, post("/traverse.v1.PlannerService/Nothing", "application/json", "{}")).await;
-    assert_eq!((unknown.status, unknown.json()["code"].as_str()), (StatusCode::NOT_FOUND, Some("unimplemented")));
+    let unknown =
+        send(server.address, post("/traverse.v1.PlannerService/Nothing", "application/json", "{}")).await;
+    assert_eq!(
+        (unknown.status, unknown.json()["code"].as_str()),
+        (StatusCode::NOT_FOUND, Some("unimplemented"))
+    );
     let mut get = post(PATH, "application/json", "");
     *get.method_mut() = Method::GET;
     let get = send(server.address, get).await;
-    assert_eq!((get.status, &get.headers[header::ALLOW]), (StatusCode::METHOD_NOT_ALLOWED, &HeaderValue::from_static("POST")));
+    assert_eq!(
+        (get.status, &get.headers[header::ALLOW]),
+        (StatusCode::METHOD_NOT_ALLOWED, &HeaderValue::from_static("POST"))
+    );
     let form = send(server.address, post(PATH, "application/x-www-form-urlencoded", PAST_A_BLOCK)).await;
     assert_eq!(form.status, StatusCode::UNSUPPORTED_MEDIA_TYPE);
     assert!(form.headers["accept-post"].to_str().expect("text").contains("application/json"));
@@ -77,7 +88,10 @@ async fn headers_of_the_protocol_are_read() {
     assert_eq!(with("connect-timeout-ms", "soon").await.reason(), "MALFORMED_HEADER");
     assert_eq!(with("content-encoding", "identity").await.status, StatusCode::OK);
     let compressed = with("content-encoding", "gzip").await;
-    assert_eq!((compressed.status, compressed.reason().as_str()), (StatusCode::NOT_IMPLEMENTED, "UNSUPPORTED_ENCODING"));
+    assert_eq!(
+        (compressed.status, compressed.reason().as_str()),
+        (StatusCode::NOT_IMPLEMENTED, "UNSUPPORTED_ENCODING")
+    );
 }
 
 #[tokio::test]

@@ -81,11 +81,17 @@ async fn one_line_per_call_and_the_id_of_every_fault() {
 
     // Workers outlive it, and a line says what a call was.
     let unlike_others = format!("{PAST_A_BLOCK}{}", " ".repeat(137));
-    let answer = send(server.address, post("/traverse.v1.PlannerService/PlanRapidMove", "application/json", unlike_others.clone())).await;
+    let answer = send(
+        server.address,
+        post("/traverse.v1.PlannerService/PlanRapidMove", "application/json", unlike_others.clone()),
+    )
+    .await;
     assert_eq!(answer.status.as_u16(), 200);
     let lines = log.lines();
     let line = lines.iter().find(|line| line["bytes"] == unlike_others.len()).expect("its line");
-    for (key, value) in [("method", "PlanRapidMove"), ("protocol", "json"), ("outcome", "plan"), ("code", "Ok")] {
+    for (key, value) in
+        [("method", "PlanRapidMove"), ("protocol", "json"), ("outcome", "plan"), ("code", "Ok")]
+    {
         assert_eq!(line[key], value, "{line}");
     }
     assert_eq!((line["vertices"].as_u64(), line["obstacles"].as_u64()), (Some(4), Some(1)));

@@ -4,6 +4,7 @@ mod bad_input;
 mod documents;
 mod drain;
 mod gate;
+mod generated;
 mod grpc;
 mod http;
 mod json;

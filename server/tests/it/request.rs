@@ -16,7 +16,7 @@ pub(crate) fn obstacle(id: &str, shape: v1::Polygon) -> v1::Obstacle {
     v1::Obstacle { id: id.to_owned(), shape: Some(shape), clearance_mm: None }
 }
 
-/// Past a square of 10 mm between start and target, 3 mm away from it: 24.187 mm.
+/// Past a square of 10 mm between start and target, 3 mm away from it.
 pub(crate) fn past_a_block() -> v1::PlanRapidMoveRequest {
     v1::PlanRapidMoveRequest {
         scene: Some(v1::Scene {
@@ -31,7 +31,8 @@ pub(crate) fn past_a_block() -> v1::PlanRapidMoveRequest {
 }
 
 pub(crate) fn with_time_limit(seconds: i64, nanos: i32) -> v1::PlanRapidMoveRequest {
-    let options = v1::SolveOptions { time_limit: Some(prost_types::Duration { seconds, nanos }), iteration_limit: 0 };
+    let options =
+        v1::SolveOptions { time_limit: Some(prost_types::Duration { seconds, nanos }), iteration_limit: 0 };
     v1::PlanRapidMoveRequest {
         rules: Some(v1::RapidRules { options: Some(options), ..Default::default() }),
         ..past_a_block()
@@ -48,4 +49,4 @@ pub(crate) const PAST_A_BLOCK: &str = r#"{
   "target": {"x_mm": 15, "y_mm": 2}
 }"#;
 
-pub(crate) const PAST_A_BLOCK_MM: f64 = 24.186_640;
+pub(crate) const PAST_A_BLOCK_MM: f64 = 24.772_546_673;

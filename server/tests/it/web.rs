@@ -28,7 +28,8 @@ async fn a_page_of_another_origin_plans_a_move() {
     let answer = send(server.address, request).await;
     assert_eq!(answer.status, StatusCode::OK);
     assert_eq!(answer.headers[header::ACCESS_CONTROL_ALLOW_ORIGIN], "*");
-    let length = u32::from_be_bytes([answer.body[1], answer.body[2], answer.body[3], answer.body[4]]) as usize;
+    let length =
+        u32::from_be_bytes([answer.body[1], answer.body[2], answer.body[3], answer.body[4]]) as usize;
     let message = PlanRapidMoveResponse::decode(&answer.body[5..5 + length]).expect("the answer");
     let Some(Outcome::Plan(plan)) = message.outcome else { panic!("{message:?}") };
     assert!((plan.cost - PAST_A_BLOCK_MM).abs() < 1e-6);

@@ -247,6 +247,14 @@ fn positive_clearance_asks_distances_only() {
 }
 
 #[test]
+fn a_path_may_not_pass_where_it_ends_later() {
+    // Found by the oracle: through the foot of an antenna, round its tip and back to its foot.
+    let scene = scene(0.0, vec![antenna()]);
+    let path = line(&[(10.0, 0.0), (10.0, 8.0), (20.0, 5.0), (10.0, 5.0)]);
+    refuses(&scene, &path, BetweenTouchingObstacles);
+}
+
+#[test]
 fn a_seam_behind_an_antenna_is_a_seam() {
     // Found by the oracle.
     let corner = |x: f64, y: f64| {

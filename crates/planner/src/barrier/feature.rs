@@ -47,8 +47,10 @@ impl Side {
 }
 
 impl Feature {
-    /// The offset of an outward `direction`, moved onto the range's ends from up to `tolerance` radians beyond.
-    pub(crate) fn offset_of(&self, direction: Vector, tolerance: f64) -> Option<f64> {
+    /// The offset of an outward `direction` that is known to `angle_error` radians, moved onto the range's ends from
+    /// just beyond: neighbouring ranges overlap, so that rounding leaves no direction between them.
+    pub(crate) fn offset_of(&self, direction: Vector, angle_error: f64) -> Option<f64> {
+        let tolerance = angle_error + self.offset_tolerance();
         let offset = positive_angle(direction.y.atan2(direction.x) - self.start_angle);
         if offset <= self.sweep {
             Some(offset)

@@ -6,8 +6,9 @@ use traverse_geometry::{
     CONTACT_TOLERANCE_MM, CornerStyle, Edge, Orientation, Ring, Vector, cross, left_of, orientation,
 };
 
-/// Directions that differ by less than this run on smoothly, radians.
-const SMOOTH_RAD: f64 = 1e-12;
+/// Directions that differ by less than this run on smoothly, radians: rounding, below what any tangent's direction is
+/// known to. A larger turn is a corner of its own, so that no direction falls between an arc and its neighbour.
+const SMOOTH_RAD: f64 = 5e-14;
 
 /// The clearance of one barrier, and how its corners turn.
 #[derive(Clone, Copy, Debug)]

@@ -10,6 +10,6 @@ mod scene;
 mod shape;
 
 pub use check::CheckQuestion;
-pub use path::path_from_wire;
 pub use effort::requested_time_limit;
+pub use path::path_from_wire;
 pub use plan::PlanQuestion;

@@ -2,7 +2,9 @@
 
 use super::reader::Reader;
 use crate::v1;
-use traverse_geometry::{COORDINATE_LIMIT_MM, Finding, LARGEST_CLEARANCE_MM, Point, Reason, SMALLEST_CLEARANCE_MM};
+use traverse_geometry::{
+    COORDINATE_LIMIT_MM, Finding, LARGEST_CLEARANCE_MM, Point, Reason, SMALLEST_CLEARANCE_MM,
+};
 
 impl Reader<'_> {
     /// A finite number.
@@ -16,7 +18,13 @@ impl Reader<'_> {
     }
 
     /// A finite number for which `holds`.
-    pub(crate) fn within(&mut self, field: &str, value: f64, holds: impl Fn(f64) -> bool, range: &str) -> Option<f64> {
+    pub(crate) fn within(
+        &mut self,
+        field: &str,
+        value: f64,
+        holds: impl Fn(f64) -> bool,
+        range: &str,
+    ) -> Option<f64> {
         let value = self.finite(field, value)?;
         if holds(value) {
             return Some(value);
@@ -37,8 +45,9 @@ impl Reader<'_> {
         if value.abs() <= COORDINATE_LIMIT_MM {
             return Some(value);
         }
-        let message =
-            format!("{value} mm is beyond ±{COORDINATE_LIMIT_MM} mm; move the drawing towards the origin or check its unit");
+        let message = format!(
+            "{value} mm is beyond ±{COORDINATE_LIMIT_MM} mm; move the drawing towards the origin or check its unit"
+        );
         self.report(Finding::new(field, Reason::CoordinateTooLarge, value, message));
         None
     }

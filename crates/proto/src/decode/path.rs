@@ -41,7 +41,8 @@ impl Reader<'_> {
         };
         let center = self.center(&format!("{field}.arc.center"), arc.center);
         let holds = |sweep: f64| sweep > 0.0 && sweep <= LARGEST_SWEEP;
-        let sweep = self.within(&format!("{field}.arc.sweep_rad"), arc.sweep_rad, holds, "more than 0, at most 2π");
+        let sweep =
+            self.within(&format!("{field}.arc.sweep_rad"), arc.sweep_rad, holds, "more than 0, at most 2π");
         let sweep = if arc.clockwise { -sweep? } else { sweep? };
         Some(PathStep { end: end?, arc: Some(PathArc { center: center?, sweep }) })
     }

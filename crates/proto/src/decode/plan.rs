@@ -41,7 +41,11 @@ impl PlanQuestion {
 
 impl Reader<'_> {
     /// A plan's request, standing at `parent` (empty, or ending in a dot).
-    pub(crate) fn question(&mut self, parent: &str, request: v1::PlanRapidMoveRequest) -> Option<PlanQuestion> {
+    pub(crate) fn question(
+        &mut self,
+        parent: &str,
+        request: v1::PlanRapidMoveRequest,
+    ) -> Option<PlanQuestion> {
         let start = self.point(&format!("{parent}start"), request.start);
         let target = self.point(&format!("{parent}target"), request.target);
         let rules = request.rules.unwrap_or_default();

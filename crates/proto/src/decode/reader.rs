@@ -60,7 +60,8 @@ impl<'a> Reader<'a> {
 
     pub(crate) fn at_most(&mut self, field: &str, what: &str, count: usize, limit: usize) {
         if count > limit {
-            let message = format!("{count} {what} given, at most {limit} permitted; send fewer or split the request");
+            let message =
+                format!("{count} {what} given, at most {limit} permitted; send fewer or split the request");
             self.report(Finding::new(field, Reason::TooMany, count, message));
         }
     }
@@ -75,7 +76,8 @@ impl<'a> Reader<'a> {
         }
         let mut findings = std::mem::take(&mut self.findings);
         if self.unlisted > 0 {
-            let message = format!("{} more findings are not listed; mend these and send it again", self.unlisted);
+            let message =
+                format!("{} more findings are not listed; mend these and send it again", self.unlisted);
             findings.push(Finding::new("", Reason::TooMany, self.unlisted, message));
         }
         Err(Refused::findings_of(findings))

@@ -6,15 +6,16 @@ use crate::limits::ID_BYTES;
 use crate::text::shortened;
 use crate::v1;
 use std::collections::HashMap;
-use traverse_geometry::{CornerStyle, Finding, Obstacle, Reason, Scene};
 use traverse_geometry::WORK_AREA_ID;
+use traverse_geometry::{CornerStyle, Finding, Obstacle, Reason, Scene};
 
 impl Reader<'_> {
     /// Whether the scene is small enough to be read. Cheap: nothing is validated yet.
     pub(crate) fn scene_fits(&mut self, field: &str, scene: &v1::Scene) {
         let obstacles = scene.obstacles.len();
         self.at_most(&format!("{field}.obstacles"), "obstacles", obstacles, self.limits.obstacle_count);
-        let shapes = scene.obstacles.iter().filter_map(|obstacle| obstacle.shape.as_ref()).chain(&scene.work_area);
+        let shapes =
+            scene.obstacles.iter().filter_map(|obstacle| obstacle.shape.as_ref()).chain(&scene.work_area);
         let vertices: usize = shapes.map(wire_vertices).sum();
         self.at_most(field, "vertices", vertices, self.limits.vertex_count);
     }
@@ -45,12 +46,14 @@ impl Reader<'_> {
 
     fn corner_style(&mut self, field: &str, style: i32, miter_limit: Option<f64>) -> Option<CornerStyle> {
         let limit_field = format!("{field}.miter_limit");
-        let limit = miter_limit.and_then(|limit| self.within(&limit_field, limit, |limit| limit >= 1.0, "1 or more"));
+        let limit =
+            miter_limit.and_then(|limit| self.within(&limit_field, limit, |limit| limit >= 1.0, "1 or more"));
         match v1::CornerStyle::try_from(style) {
             Ok(v1::CornerStyle::Miter) => Some(CornerStyle::Miter { limit }),
             Ok(v1::CornerStyle::Unspecified | v1::CornerStyle::Round) => {
                 if let Some(limit) = miter_limit {
-                    let message = "round corners have no miter limit; leave it out or ask for CORNER_STYLE_MITER";
+                    let message =
+                        "round corners have no miter limit; leave it out or ask for CORNER_STYLE_MITER";
                     self.report(Finding::new(limit_field, Reason::NotApplicable, limit, message));
                 }
                 Some(CornerStyle::Round)
@@ -89,7 +92,8 @@ impl Reader<'_> {
         } else if id == WORK_AREA_ID {
             self.out_of_range(&field, id, "another id: answers call the border so");
         } else if let Some(first) = first_with.get(id) {
-            let message = format!("obstacles[{first}] has the id {} already; send each id once", shortened(id, 100));
+            let message =
+                format!("obstacles[{first}] has the id {} already; send each id once", shortened(id, 100));
             self.report(Finding::new(field, Reason::DuplicateId, id, message));
         } else {
             first_with.insert(id.to_owned(), index);

@@ -48,5 +48,10 @@ impl Reader<'_> {
 
 /// Vertices of a polygon on the wire, and its rings: each counts as one vertex at least.
 pub(crate) fn wire_vertices(polygon: &v1::Polygon) -> usize {
-    polygon.outer.iter().chain(&polygon.holes).map(|ring| (ring.xy_mm.len() / 2).max(ring.bulges.len()).max(1)).sum()
+    polygon
+        .outer
+        .iter()
+        .chain(&polygon.holes)
+        .map(|ring| (ring.xy_mm.len() / 2).max(ring.bulges.len()).max(1))
+        .sum()
 }

@@ -7,7 +7,12 @@ use traverse_planner::{Answer, RapidPlan, Stats};
 
 /// The planner's answer as its message. `prepare` is the time before the search, `search` its own.
 #[must_use]
-pub fn plan_answer(answer: &Answer, stats: Stats, prepare: Duration, search: Duration) -> v1::PlanRapidMoveResponse {
+pub fn plan_answer(
+    answer: &Answer,
+    stats: Stats,
+    prepare: Duration,
+    search: Duration,
+) -> v1::PlanRapidMoveResponse {
     let outcome = match answer {
         Answer::Plan(plan) => Outcome::Plan(rapid_plan(plan)),
         Answer::NoPath(no_path) => {

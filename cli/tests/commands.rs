@@ -1,0 +1,172 @@
+//! The commands as users run them: the real binary, real files, a real server.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+
+fn traverse(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_traverse")).args(arguments).output().unwrap()
+}
+
+fn drawing(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../drawings").join(name).display().to_string()
+}
+
+fn example() -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples/plan-rapid-move.json").display().to_string()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn assert_ends(output: &Output, code: i32, said: &str) {
+    let all = text(&output.stdout) + &text(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{all}");
+    assert!(all.contains(said), "{said} is not in: {all}");
+}
+
+/// `traverse serve` on a free port; stopped when dropped.
+struct Serving {
+    child: Child,
+    url: String,
+}
+
+impl Serving {
+    fn start() -> Self {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_traverse"))
+            .args(["serve", "--listen", "127.0.0.1:0", "--log-format", "json"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let url = line.trim().rsplit(' ').next().unwrap().to_owned();
+        Self { child, url }
+    }
+}
+
+impl Drop for Serving {
+    fn drop(&mut self) {
+        self.child.kill().unwrap();
+        self.child.wait().unwrap();
+    }
+}
+
+struct Planned {
+    folder: tempfile::TempDir,
+}
+
+impl Planned {
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn name(&self, name: &str) -> String {
+        self.path(name).display().to_string()
+    }
+}
+
+fn plan_across_the_mill(server: Option<&str>) -> Planned {
+    let planned = Planned { folder: tempfile::tempdir().unwrap() };
+    let (drawing, svg) = (drawing("vise-and-clamps.dxf"), planned.name("plan.svg"));
+    let (json, request) = (planned.name("plan.json"), planned.name("request.json"));
+    let mut arguments =
+        vec!["rapid", &drawing, "--from", "30,150", "--to", "570,150", "--clearance", "5", "-o", &svg, "-o", &json];
+    arguments.extend(["--request", &request]);
+    arguments.extend(server.iter().flat_map(|url| ["--server", *url]));
+    assert_ends(&traverse(&arguments), 0, "proven shortest");
+    planned
+}
+
+#[test]
+fn rapid_writes_picture_plan_and_request_that_check_accepts() {
+    let planned = plan_across_the_mill(None);
+    assert!(std::fs::read_to_string(planned.path("plan.svg")).unwrap().contains("</svg>"));
+    let found = traverse(&["check", &planned.name("request.json"), &planned.name("plan.json")]);
+    assert_ends(&found, 0, "sound");
+}
+
+#[test]
+fn check_refuses_a_plan_that_was_tampered_with() {
+    let planned = plan_across_the_mill(None);
+    let mut plan: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(planned.path("plan.json")).unwrap()).unwrap();
+    let y = &mut plan["plan"]["path"]["steps"][0]["end"]["yMm"];
+    *y = (y.as_f64().unwrap() - 0.5).into();
+    std::fs::write(planned.path("tampered.json"), plan.to_string()).unwrap();
+    let found = traverse(&["check", &planned.name("request.json"), &planned.name("tampered.json")]);
+    assert_ends(&found, 5, "violations");
+}
+
+#[test]
+fn a_server_answers_what_the_process_answers() {
+    let serving = Serving::start();
+    let without_times = |planned: &Planned| {
+        let mut plan: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(planned.path("plan.json")).unwrap()).unwrap();
+        plan["stats"].as_object_mut().unwrap().retain(|key, _| !key.ends_with("Duration"));
+        plan
+    };
+    let (here, there) = (plan_across_the_mill(None), plan_across_the_mill(Some(&serving.url)));
+    assert_eq!(without_times(&here), without_times(&there));
+    let limits = ["call", "GetLimits", "-", "--server", &serving.url];
+    let child = Command::new(env!("CARGO_BIN_EXE_traverse")).args(limits).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = { child }.spawn().unwrap();
+    std::io::Write::write_all(&mut child.stdin.take().unwrap(), b"{}").unwrap();
+    assert_ends(&child.wait_with_output().unwrap(), 0, "vertexCount");
+}
+
+#[test]
+fn call_answers_json_in_process_and_says_every_finding() {
+    let answer = traverse(&["call", "PlanRapidMove", &example()]);
+    assert_ends(&answer, 0, "lowerBound");
+    let json: serde_json::Value = serde_json::from_slice(&answer.stdout).unwrap();
+    assert_eq!(json["plan"]["cost"], json["plan"]["lowerBound"]);
+    let folder = tempfile::tempdir().unwrap();
+    let bad = folder.path().join("bad.json");
+    std::fs::write(&bad, r#"{"start":{"xMm":"NaN"},"scene":{"clearanceMm":-1}}"#).unwrap();
+    let refused = traverse(&["call", "PlanRapidMove", &bad.display().to_string()]);
+    for finding in ["start.x_mm", "scene.clearance_mm", "target"] {
+        assert_ends(&refused, 3, finding);
+    }
+}
+
+#[test]
+fn every_failure_has_its_code_and_says_what_to_do() {
+    let mill = drawing("vise-and-clamps.dxf");
+    let rapid = |more: &[&str]| {
+        let base = ["rapid", mill.as_str(), "--from", "30,150"];
+        traverse(&base.iter().chain(more).copied().collect::<Vec<_>>())
+    };
+    assert_ends(&rapid(&["--to", "nowhere", "--clearance", "5"]), 2, "write X,Y");
+    assert_ends(&rapid(&["--to", "570,150", "--clearance", "-5"]), 3, "clearance_mm");
+    assert_ends(&rapid(&["--to", "570,150", "--clearance", "5", "-o", "plan.pdf"]), 3, ".svg or .json");
+    assert_ends(&rapid(&["--to", "110,155", "--clearance", "5"]), 4, "PART/1");
+    assert_ends(&rapid(&["--to", "100,200", "--clearance", "5"]), 3, "inside the barrier");
+    let far = rapid(&["--to", "570,150", "--clearance", "5", "--server", "http://127.0.0.1:1"]);
+    assert_ends(&far, 6, "traverse serve");
+    let ftp = rapid(&["--to", "570,150", "--clearance", "5", "--server", "ftp://x"]);
+    assert_ends(&ftp, 3, "no address");
+    assert_ends(&traverse(&["call", "PlanLunch", &example()]), 3, "GetLimits");
+    assert_ends(&traverse(&["call", "PlanRapidMove", "no-such-file.json"]), 3, "no-such-file.json");
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md").display().to_string();
+    let not_dxf = traverse(&["rapid", &readme, "--from", "0,0", "--to", "1,1", "--clearance", "1"]);
+    assert_ends(&not_dxf, 3, "export");
+    assert_ends(&traverse(&["serve", "--listen", "127.0.0.1:0", "--workers", "0"]), 3, "workers is 0");
+}
+
+#[test]
+fn the_demo_plans_checks_and_draws() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("pictures");
+    let demo = traverse(&["demo", "--out", &out.display().to_string()]);
+    assert_ends(&demo, 0, "mill-across");
+    let table = text(&demo.stdout);
+    let rows: Vec<&str> = table.lines().filter(|line| line.ends_with("µs")).collect();
+    assert_eq!(rows.len(), 8, "{table}");
+    assert!(rows.iter().all(|row| row.contains(" yes ") && !row.contains("REFUSED")), "{table}");
+    assert_eq!(rows.iter().filter(|row| row.contains("no path")).count(), 1, "{table}");
+    assert_eq!(std::fs::read_dir(out).unwrap().count(), rows.len());
+}

@@ -1,0 +1,44 @@
+"""When and how often a call is tried again."""
+
+from __future__ import annotations
+
+import random
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeVar
+
+import grpc
+
+_Answer = TypeVar("_Answer")
+
+
+@dataclass(frozen=True)
+class Retry:
+    """Tries again on UNAVAILABLE only: nothing else gets better by being repeated. Pauses double, with jitter."""
+
+    tries: int = 5
+    """How often at most; 1: never again."""
+    first_pause: float = 0.1
+    """Seconds."""
+    longest_pause: float = 2.0
+    """Seconds."""
+
+    def run(self, call: Callable[[float], _Answer], deadline: float) -> _Answer:
+        """``call`` with the seconds that are left of ``deadline``, until it answers; raises what it raised last."""
+        end = time.monotonic() + deadline
+        tried = 0
+        while True:
+            try:
+                return call(max(end - time.monotonic(), 0.0))
+            except grpc.RpcError as error:
+                tried += 1
+                unavailable = isinstance(error, grpc.Call) and error.code() is grpc.StatusCode.UNAVAILABLE
+                pause = self.pause(tried)
+                if not unavailable or tried >= self.tries or time.monotonic() + pause >= end:
+                    raise
+            time.sleep(pause)
+
+    def pause(self, tried: int) -> float:
+        """Seconds to wait after so many tries: a random part of the pause, so that clients do not come back together."""
+        return min(self.first_pause * 2.0 ** (tried - 1), self.longest_pause) * random.uniform(0.5, 1.0)

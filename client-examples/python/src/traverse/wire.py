@@ -1,0 +1,147 @@
+"""Between this package's types and the messages of ``traverse.v1``: the only module that fills messages in."""
+
+from __future__ import annotations
+
+from .answer import Check, Limits, NoPath, RapidPlan, Stats, Violation
+from .arc import Arc
+from .effort import Algorithm, Effort
+from .path import Path, Step
+from .point import Point
+from .ring import Ring
+from .scene import CornerStyle, Polygon, Scene
+from .v1 import geometry_pb2, rapid_pb2, service_pb2
+
+_CORNER_STYLES = {CornerStyle.ROUND: rapid_pb2.CORNER_STYLE_ROUND, CornerStyle.MITER: rapid_pb2.CORNER_STYLE_MITER}
+_ALGORITHMS = {
+    Algorithm.EXACT: rapid_pb2.RAPID_ALGORITHM_EXACT,
+    Algorithm.SUPPORTING_LINES: rapid_pb2.RAPID_ALGORITHM_SUPPORTING_LINES,
+}
+
+
+def request_message(
+    scene: Scene, start: tuple[float, float], target: tuple[float, float], effort: Effort, validate_only: bool = False
+) -> rapid_pb2.PlanRapidMoveRequest:
+    """A request for a rapid move."""
+    request = rapid_pb2.PlanRapidMoveRequest(
+        scene=scene_message(scene), start=_point(start), target=_point(target), validate_only=validate_only
+    )
+    request.rules.algorithm = _ALGORITHMS[effort.algorithm]
+    if effort.time_limit is not None:
+        request.rules.options.time_limit.FromTimedelta(effort.time_limit)
+    request.rules.options.iteration_limit = effort.iteration_limit
+    return request
+
+
+def scene_message(scene: Scene) -> rapid_pb2.Scene:
+    """A scene. What is None stays absent."""
+    message = rapid_pb2.Scene(
+        clearance_mm=scene.clearance_mm,
+        corner_style=_CORNER_STYLES[scene.corner_style],
+        work_area_clearance_mm=scene.work_area_clearance_mm,
+        miter_limit=scene.miter_limit,
+    )
+    if scene.work_area_polygon is not None:
+        message.work_area.CopyFrom(_polygon(scene.work_area_polygon))
+    for obstacle in scene.obstacles:
+        message.obstacles.add(id=obstacle.id, shape=_polygon(obstacle.polygon), clearance_mm=obstacle.clearance_mm)
+    return message
+
+
+def path_message(path: Path) -> geometry_pb2.Path:
+    """A path to check."""
+    message = geometry_pb2.Path(start=_point(path.start))
+    for step in path.steps:
+        added = message.steps.add(end=_point(step.end))
+        if step.arc is not None:
+            arc = geometry_pb2.Arc(
+                center=_point(step.arc.center), clockwise=step.arc.clockwise, sweep_rad=step.arc.sweep_rad
+            )
+            added.arc.CopyFrom(arc)
+    return message
+
+
+def outcome(
+    scene: Scene, start: tuple[float, float], target: tuple[float, float], message: rapid_pb2.PlanRapidMoveResponse
+) -> RapidPlan | NoPath:
+    """What came of a request for a rapid move."""
+    stats = Stats(
+        message.stats.barrier_vertex_count,
+        message.stats.expanded_node_count,
+        message.stats.prepare_duration.ToTimedelta(),
+        message.stats.search_duration.ToTimedelta(),
+    )
+    kind = message.WhichOneof("outcome")
+    if kind == "no_path":
+        return NoPath(scene, Point(*start), Point(*target), tuple(message.no_path.separating_obstacle_ids), stats)
+    if kind != "plan":
+        raise NotImplementedError("the server answered with an outcome that this client does not know: update it")
+    plan = message.plan
+    return RapidPlan(
+        scene,
+        _path_of(plan.path),
+        plan.cost,
+        plan.lower_bound,
+        tuple(plan.bending_obstacle_ids),
+        tuple(_path_of(each) for each in plan.alternatives),
+        stats,
+    )
+
+
+def check(message: rapid_pb2.CheckRapidMoveResponse) -> Check:
+    """What the checker found."""
+    violations = (
+        Violation(
+            each.field,
+            each.reason,
+            each.message,
+            each.amount,
+            _point_of(each.at) if each.HasField("at") else None,
+            each.obstacle_id,
+        )
+        for each in message.violations
+    )
+    margin = message.smallest_margin_mm if message.HasField("smallest_margin_mm") else None
+    return Check(tuple(violations), message.cost, margin)
+
+
+def limits(message: service_pb2.GetLimitsResponse) -> Limits:
+    """What a server accepts."""
+    return Limits(
+        message.server_version,
+        message.message_bytes,
+        message.coordinate_mm,
+        message.radius_mm,
+        message.vertex_count,
+        message.obstacle_count,
+        message.step_count,
+        message.queued_call_count,
+        message.default_time_limit.ToTimedelta(),
+        message.longest_time_limit.ToTimedelta(),
+    )
+
+
+def _point(point: tuple[float, float]) -> geometry_pb2.Point:
+    return geometry_pb2.Point(x_mm=point[0], y_mm=point[1])
+
+
+def _ring(ring: Ring) -> geometry_pb2.Ring:
+    return geometry_pb2.Ring(xy_mm=(number for vertex in ring.vertices for number in vertex), bulges=ring.bulges)
+
+
+def _polygon(polygon: Polygon) -> geometry_pb2.Polygon:
+    return geometry_pb2.Polygon(outer=_ring(polygon.outer), holes=(_ring(hole) for hole in polygon.holes))
+
+
+def _point_of(message: geometry_pb2.Point) -> Point:
+    return Point(message.x_mm, message.y_mm)
+
+
+def _path_of(message: geometry_pb2.Path) -> Path:
+    return Path(_point_of(message.start), tuple(_step_of(step) for step in message.steps))
+
+
+def _step_of(message: geometry_pb2.PathStep) -> Step:
+    if not message.HasField("arc"):
+        return Step(_point_of(message.end))
+    arc = message.arc
+    return Step(_point_of(message.end), Arc(_point_of(arc.center), arc.clockwise, arc.sweep_rad))
