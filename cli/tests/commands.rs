@@ -112,8 +112,12 @@ fn a_server_answers_what_the_process_answers() {
     let (here, there) = (plan_across_the_mill(None), plan_across_the_mill(Some(&serving.url)));
     assert_eq!(without_times(&here), without_times(&there));
     let limits = ["call", "GetLimits", "-", "--server", &serving.url];
-    let child = Command::new(env!("CARGO_BIN_EXE_traverse")).args(limits).stdin(Stdio::piped()).stdout(Stdio::piped());
-    let mut child = { child }.spawn().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_traverse"))
+        .args(limits)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
     std::io::Write::write_all(&mut child.stdin.take().unwrap(), b"{}").unwrap();
     assert_ends(&child.wait_with_output().unwrap(), 0, "vertexCount");
 }

@@ -11,7 +11,7 @@ pub async fn shutdown_signal() {
 async fn interrupt() {
     if let Err(error) = tokio::signal::ctrl_c().await {
         tracing::warn!(%error, "SIGINT can't be heard");
-        std::future::pending().await
+        std::future::pending::<()>().await;
     }
 }
 
@@ -23,12 +23,12 @@ async fn terminate() {
         }
         Err(error) => {
             tracing::warn!(%error, "SIGTERM can't be heard");
-            std::future::pending().await
+            std::future::pending::<()>().await;
         }
     }
 }
 
 #[cfg(not(unix))]
 async fn terminate() {
-    std::future::pending().await
+    std::future::pending::<()>().await;
 }

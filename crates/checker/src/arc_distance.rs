@@ -57,8 +57,9 @@ mod tests {
     fn curve() -> impl Strategy<Value = Curve> {
         let coordinate = || -10.0..10.0_f64;
         let bulge = prop_oneof![Just(0.0), Just(1.0), Just(-1.0), -1.0..1.0_f64];
-        (coordinate(), coordinate(), coordinate(), coordinate(), bulge)
-            .prop_map(|(ax, ay, bx, by, bulge)| Curve::from_bulge(Point::new(ax, ay), Point::new(bx, by), bulge))
+        (coordinate(), coordinate(), coordinate(), coordinate(), bulge).prop_map(|(ax, ay, bx, by, bulge)| {
+            Curve::from_bulge(Point::new(ax, ay), Point::new(bx, by), bulge)
+        })
     }
 
     fn sampled(one: &Curve, other: &Curve) -> f64 {

@@ -46,7 +46,9 @@ impl Boundary {
         let mut boundary = Self { solids: Vec::new(), vertices: Vec::with_capacity(scene.vertex_count()) };
         let miter_limit = match scene.corner_style {
             CornerStyle::Round => None,
-            CornerStyle::Miter { limit } => Some(limit.unwrap_or(MITER_RATIO_LIMIT).clamp(1.0, MITER_RATIO_LIMIT)),
+            CornerStyle::Miter { limit } => {
+                Some(limit.unwrap_or(MITER_RATIO_LIMIT).clamp(1.0, MITER_RATIO_LIMIT))
+            }
         };
         for (index, obstacle) in scene.obstacles.iter().enumerate() {
             boundary.add(&obstacle.shape, Some(index), scene.clearance_of(obstacle), miter_limit);

@@ -54,7 +54,12 @@ impl BoundaryTree {
     }
 
     /// The least margin below `most`, where `margin` gives it for an edge.
-    pub(crate) fn least_margin(&self, step: &StepBox, most: f64, margin: impl Fn(u32) -> Option<f64>) -> Option<f64> {
+    pub(crate) fn least_margin(
+        &self,
+        step: &StepBox,
+        most: f64,
+        margin: impl Fn(u32) -> Option<f64>,
+    ) -> Option<f64> {
         let bound = |node: &BvhNode, _| step.distance_to(&bounds(node)) / self.stretch;
         self.bvh.find_best(most, bound, |edge, _| margin(edge)).map(|(_, margin)| margin)
     }

@@ -77,12 +77,11 @@ impl Surroundings<'_> {
     pub(crate) fn parts_inside(&self, step: &Curve, solid: u32, touched: &[u32]) -> Vec<Part> {
         let length = step.length();
         let shortest = if length > 0.0 { 1e-3 * self.tolerance / length } else { 0.0 };
-        let near_border = touched.iter().flat_map(|&edge| step.parts_within(&self.boundary.curve(edge), self.tolerance));
+        let near_border =
+            touched.iter().flat_map(|&edge| step.parts_within(&self.boundary.curve(edge), self.tolerance));
         remaining(near_border.collect(), shortest)
             .into_iter()
-            .filter(|part| {
-                is_inside(self.boundary, self.tree, step.point_at((part.0 + part.1) / 2.0), solid)
-            })
+            .filter(|part| is_inside(self.boundary, self.tree, step.point_at((part.0 + part.1) / 2.0), solid))
             .collect()
     }
 

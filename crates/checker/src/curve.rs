@@ -110,7 +110,8 @@ impl Curve {
     pub(crate) fn from_center(a: Point, b: Point, arc: PathArc) -> Self {
         let (from, to) = (a - arc.center, b - arc.center);
         let radius = (from.norm() + to.norm()) / 2.0;
-        let middle = normalized(turned(normalized(from), arc.sweep / 2.0) + turned(normalized(to), -arc.sweep / 2.0));
+        let middle =
+            normalized(turned(normalized(from), arc.sweep / 2.0) + turned(normalized(to), -arc.sweep / 2.0));
         let half = (arc.sweep.abs() / 2.0).min(PI);
         Self::Circular(Circular { center: arc.center, radius, a, b, middle, half, turn: arc.sweep.signum() })
     }

@@ -62,7 +62,8 @@ fn crosses_arc(edge: &Curve, arc: &Circular, p: Point) -> bool {
         let (from, to) = (edge.point_at(pair[0]).y, edge.point_at(pair[1]).y);
         if (from <= p.y) != (to <= p.y) {
             let right_half = edge.point_at((pair[0] + pair[1]) / 2.0).x >= arc.center.x;
-            odd ^= if right_half { p.x < arc.center.x || in_circle } else { p.x < arc.center.x && !in_circle };
+            odd ^=
+                if right_half { p.x < arc.center.x || in_circle } else { p.x < arc.center.x && !in_circle };
         }
     }
     odd

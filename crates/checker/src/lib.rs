@@ -44,7 +44,9 @@ mod strip;
 mod touching;
 mod violation;
 
-pub use rapid_check::{PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move};
+pub use rapid_check::{
+    PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
+};
 pub use violation::{Violation, ViolationReason};
 
 /// Stands for the work area where a violation names an obstacle. No obstacle has this id.

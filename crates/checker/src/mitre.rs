@@ -101,7 +101,12 @@ impl Corner {
                 let difference = normal - other;
                 let length = difference.norm();
                 if length > 0.0 {
-                    step.cut_by_line(self.at, difference / length, (reach - other_reach) / length, &mut places);
+                    step.cut_by_line(
+                        self.at,
+                        difference / length,
+                        (reach - other_reach) / length,
+                        &mut places,
+                    );
                 }
             }
         }
@@ -111,7 +116,8 @@ impl Corner {
             let in_cone = self.arriving.dot(&d) >= -REGION_SLACK_MM
                 && self.leaving.dot(&d) <= REGION_SLACK_MM
                 && bisector.dot(&d) >= -REGION_SLACK_MM;
-            in_cone.then(|| lines.iter().map(|&(n, reach)| n.dot(&d) - reach).fold(f64::NEG_INFINITY, f64::max))
+            in_cone
+                .then(|| lines.iter().map(|&(n, reach)| n.dot(&d) - reach).fold(f64::NEG_INFINITY, f64::max))
         })
     }
 }

@@ -17,9 +17,13 @@ const ANGLE_ROUNDING: f64 = 1e-14;
 pub(crate) fn not_finite(start: Point, target: Point, path: &Path) -> Vec<Violation> {
     let mut found = Vec::new();
     let mut ask = |number: f64, field: &dyn Fn() -> String| {
-        if !(number.is_finite() && number.abs() <= LARGEST_COORDINATE_MM) && found.len() < crate::VIOLATION_LIMIT {
+        if !(number.is_finite() && number.abs() <= LARGEST_COORDINATE_MM)
+            && found.len() < crate::VIOLATION_LIMIT
+        {
             let field = field();
-            let message = format!("{field} is {number:e}, which no distance can be computed from; give a finite number");
+            let message = format!(
+                "{field} is {number:e}, which no distance can be computed from; give a finite number"
+            );
             found.push(Violation {
                 field,
                 reason: ViolationReason::NotFinite,
@@ -62,7 +66,10 @@ pub(crate) fn wrong_ends(start: Point, target: Point, path: &Path, tolerance: f6
             (amount > tolerance).then(|| Violation {
                 field,
                 reason,
-                message: format!("the path {verb} {} mm from the {asked} that was asked for", crate::message::millimetres(amount)),
+                message: format!(
+                    "the path {verb} {} mm from the {asked} that was asked for",
+                    crate::message::millimetres(amount)
+                ),
                 amount,
                 at: Some(found),
                 obstacle: None,
@@ -97,7 +104,9 @@ fn wrong_arc(index: usize, start: Point, end: Point, arc: PathArc, tolerance: f6
     };
     let turned = arc.sweep.abs();
     if turned == 0.0 || turned > std::f64::consts::TAU + SWEEP_SLACK {
-        let message = format!("step {index} turns by {turned} rad; an arc turns by more than 0 and at most one full turn");
+        let message = format!(
+            "step {index} turns by {turned} rad; an arc turns by more than 0 and at most one full turn"
+        );
         let amount = (turned - std::f64::consts::TAU).max(0.0);
         return violation(".sweep_rad", ViolationReason::SweepOutOfRange, amount, message);
     }

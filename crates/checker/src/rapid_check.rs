@@ -45,7 +45,13 @@ impl PathCheck {
 ///
 /// To check several paths in one scene, keep a [`RapidMoveChecker`].
 #[must_use]
-pub fn check_rapid_move(scene: &Scene, start: Point, target: Point, path: &Path, tolerance_mm: f64) -> PathCheck {
+pub fn check_rapid_move(
+    scene: &Scene,
+    start: Point,
+    target: Point,
+    path: &Path,
+    tolerance_mm: f64,
+) -> PathCheck {
     RapidMoveChecker::new(scene).check(start, target, path, tolerance_mm)
 }
 
@@ -111,7 +117,9 @@ fn length(path: &Path) -> f64 {
             let start = std::mem::replace(&mut from, step.end);
             match step.arc {
                 None => (step.end - start).norm(),
-                Some(arc) => arc.sweep.abs() * ((start - arc.center).norm() + (step.end - arc.center).norm()) / 2.0,
+                Some(arc) => {
+                    arc.sweep.abs() * ((start - arc.center).norm() + (step.end - arc.center).norm()) / 2.0
+                }
             }
         })
         .sum()
@@ -141,7 +149,9 @@ impl Walk<'_> {
             approaches.iter().filter(|(_, near)| !near.touched.is_empty()).map(|(&solid, _)| solid).collect();
         self.locate(step, &touched);
         for &solid in self.inside.iter().flatten() {
-            approaches.entry(solid).or_insert(crate::clearance::Approach { worst: None, touched: Vec::new() });
+            approaches
+                .entry(solid)
+                .or_insert(crate::clearance::Approach { worst: None, touched: Vec::new() });
         }
         for (solid, approach) in approaches {
             let parts = if touched.contains(&solid) {
@@ -189,7 +199,13 @@ impl Walk<'_> {
         self.unsure.clone_from(touched);
     }
 
-    fn report_depth(&mut self, index: usize, solid: u32, worst: crate::arc_distance::Nearest, is_inside: bool) {
+    fn report_depth(
+        &mut self,
+        index: usize,
+        solid: u32,
+        worst: crate::arc_distance::Nearest,
+        is_inside: bool,
+    ) {
         let about = &self.around.boundary.solids[solid as usize];
         let name = solid_name(self.checker.scene, about.obstacle);
         let (place, field) = self.place(index);
@@ -198,24 +214,32 @@ impl Walk<'_> {
         let depth = millimetres(amount - about.clearance);
         let (reason, message) = match (is_inside, about.obstacle) {
             (true, Some(_)) => {
-                let message = format!("{place} is {depth} mm inside {name}; asked are {asked} mm of clearance");
+                let message =
+                    format!("{place} is {depth} mm inside {name}; asked are {asked} mm of clearance");
                 (ViolationReason::InsideObstacle, message)
             }
             (true, None) => {
-                let message = format!("{place} is {depth} mm outside the work area; asked are {asked} mm inside its border");
+                let message = format!(
+                    "{place} is {depth} mm outside the work area; asked are {asked} mm inside its border"
+                );
                 (ViolationReason::OutsideWorkArea, message)
             }
             (false, _) if about.mitred().is_some() => {
-                let message = format!("{place} is {} mm inside the mitred barrier of {name}", millimetres(amount));
+                let message =
+                    format!("{place} is {} mm inside the mitred barrier of {name}", millimetres(amount));
                 (ViolationReason::TooClose, message)
             }
-            (false, _) => {
-                (ViolationReason::TooClose, format!("{place} comes within {found} mm of {name}; asked are {asked} mm"))
-            }
+            (false, _) => (
+                ViolationReason::TooClose,
+                format!("{place} comes within {found} mm of {name}; asked are {asked} mm"),
+            ),
         };
         self.pierced.insert((index, solid));
         let obstacle = Some(solid_id(self.checker.scene, about.obstacle).to_owned());
-        push(&mut self.violations, Violation { field, reason, message, amount, at: Some(worst.at), obstacle });
+        push(
+            &mut self.violations,
+            Violation { field, reason, message, amount, at: Some(worst.at), obstacle },
+        );
     }
 
     /// Reports where the path passes between what touches, unless it goes through the same solid anyway.
@@ -233,7 +257,8 @@ impl Walk<'_> {
             .collect();
         for (step, edges) in strip.steps.iter().zip(&edges) {
             found.extend(
-                seam(boundary, tree, &step.curve, edges, tolerance).map(|(at, solids)| (step.index, at, solids)),
+                seam(boundary, tree, &step.curve, edges, tolerance)
+                    .map(|(at, solids)| (step.index, at, solids)),
             );
         }
         found.sort_by_key(|&(step, _, solids)| (step, solids));
@@ -250,7 +275,10 @@ impl Walk<'_> {
             let message = if one == other {
                 format!("{place} passes through {name} where it touches itself or has no width")
             } else {
-                format!("{place} passes between {name} and {}, which touch", solid_name(self.checker.scene, other))
+                format!(
+                    "{place} passes between {name} and {}, which touch",
+                    solid_name(self.checker.scene, other)
+                )
             };
             push(
                 &mut self.violations,

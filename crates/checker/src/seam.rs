@@ -67,10 +67,12 @@ fn closed(
     }
     let right = section.cover_right(boundary, tree)?;
     let left = section.cover_left(boundary, tree)?;
+    let rounding = 16.0 * f64::EPSILON * section.at.x.abs().max(section.at.y.abs());
     let free_between = section.lines.windows(2).any(|pair| {
         let gap = pair[1].offset - pair[0].offset;
+        let middle = pair[0].offset + gap / 2.0;
         !coincide(&pair[0].curve, &pair[1].curve, gap)
-            && section.cover((pair[0].offset + pair[1].offset) / 2.0, boundary, tree).is_none()
+            && (gap <= rounding || section.cover(middle, boundary, tree).is_none())
     });
     (!free_between).then_some((section.at, [right, left]))
 }

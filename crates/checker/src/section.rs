@@ -29,7 +29,13 @@ pub(crate) struct Section {
 
 impl Section {
     /// The cut at `fraction` of `step`, through those of `edges` that it meets within `reach`.
-    pub(crate) fn across(boundary: &Boundary, step: &Curve, fraction: f64, edges: &[u32], reach: f64) -> Self {
+    pub(crate) fn across(
+        boundary: &Boundary,
+        step: &Curve,
+        fraction: f64,
+        edges: &[u32],
+        reach: f64,
+    ) -> Self {
         let (at, along) = (step.point_at(fraction), step.direction_at(fraction));
         let left = -right_of(along);
         let mut lines: Vec<Line> = Vec::new();
@@ -51,7 +57,10 @@ impl Section {
     /// A solid of these edges that covers the place `offset` left of the step.
     pub(crate) fn cover(&self, offset: f64, boundary: &Boundary, tree: &BoundaryTree) -> Option<u32> {
         let p = self.at + self.left * offset;
-        self.lines.iter().map(|line| boundary.solid_of(line.edge)).find(|&solid| is_inside(boundary, tree, p, solid))
+        self.lines
+            .iter()
+            .map(|line| boundary.solid_of(line.edge))
+            .find(|&solid| is_inside(boundary, tree, p, solid))
     }
 
     /// What covers the place between the rightmost edge and the right wall.

@@ -91,11 +91,12 @@ impl Strip {
     fn neighbours(&self, at: usize, from: f64, to: f64) -> impl Iterator<Item = usize> {
         let piece = self.steps[at].piece;
         let window = NEIGHBOUR_REACHES * self.reach;
-        let before = (0..at)
-            .rev()
-            .take_while(move |&other| self.steps[other].piece == piece && from - self.steps[other].to <= window);
-        let after = (at + 1..self.steps.len())
-            .take_while(move |&other| self.steps[other].piece == piece && self.steps[other].from - to <= window);
+        let before = (0..at).rev().take_while(move |&other| {
+            self.steps[other].piece == piece && from - self.steps[other].to <= window
+        });
+        let after = (at + 1..self.steps.len()).take_while(move |&other| {
+            self.steps[other].piece == piece && self.steps[other].from - to <= window
+        });
         before.chain(after)
     }
 

@@ -84,11 +84,13 @@ pub(crate) fn passages(
             by_edge.entry((at, groups.pieces[piece].edge)).or_default().push(piece);
         }
     }
-    for at in 0..edges.len() {
+    for (at, step_edges) in edges.iter().enumerate() {
         let joint = strip.steps[at].curve.end();
         for next in strip.following(at) {
-            for &edge in &edges[at] {
-                let (Some(one), Some(other)) = (by_edge.get(&(at, edge)), by_edge.get(&(next, edge))) else { continue };
+            for &edge in step_edges {
+                let (Some(one), Some(other)) = (by_edge.get(&(at, edge)), by_edge.get(&(next, edge))) else {
+                    continue;
+                };
                 for (&a, &b) in one.iter().flat_map(|a| other.iter().map(move |b| (a, b))) {
                     if let Some(place) = groups.common_place(a, b, joint, JOINT_REACHES * strip.reach) {
                         groups.join(boundary, strip, a, b, place);
@@ -125,7 +127,8 @@ fn add_pieces(boundary: &Boundary, strip: &Strip, at: usize, edge: u32, groups: 
     for part in curve.parts_within(step, strip.reach) {
         let exits: Vec<Point> = [(part.0 > 0.0, part.0), (part.1 < 1.0, part.1)]
             .into_iter()
-            .filter_map(|(leaves, fraction)| leaves.then(|| curve.point_at(fraction)))
+            .filter(|&(leaves, _)| leaves)
+            .map(|(_, fraction)| curve.point_at(fraction))
             .collect();
         // Past an end of the step it may go round the joint; only beside the step it crosses for certain.
         let side = |p: Point| {
@@ -138,14 +141,20 @@ fn add_pieces(boundary: &Boundary, strip: &Strip, at: usize, edge: u32, groups: 
         for wall in exits.into_iter().filter_map(|p| strip.wall_at(at, p, crosses)) {
             walls[wall as usize] = true;
         }
-        let places = [part.0, (part.0 + part.1) / 2.0, part.1].map(|f| step.nearest_fraction(curve.point_at(f)));
+        let places =
+            [part.0, (part.0 + part.1) / 2.0, part.1].map(|f| step.nearest_fraction(curve.point_at(f)));
         let beside = places.iter().fold((1.0, 0.0), |range: Part, &f| (range.0.min(f), range.1.max(f)));
         groups.add(Piece { step: at, edge, curve, part, beside }, walls);
     }
 }
 
 /// Joins pieces that end in the same vertex within the strip.
-fn join_shared_vertices(boundary: &Boundary, strip: &Strip, pieces: std::ops::Range<usize>, groups: &mut Groups) {
+fn join_shared_vertices(
+    boundary: &Boundary,
+    strip: &Strip,
+    pieces: std::ops::Range<usize>,
+    groups: &mut Groups,
+) {
     let mut at_vertex: HashMap<[u64; 2], usize> = HashMap::new();
     for piece in pieces {
         let Piece { step, curve, part, .. } = groups.pieces[piece];

@@ -74,3 +74,17 @@ impl fmt::Display for ViolationReason {
         f.write_str(self.as_str())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_on_the_wire_are_distinct_and_upper_snake_case() {
+        let mut names: Vec<&str> = ViolationReason::ALL.iter().map(|reason| reason.as_str()).collect();
+        assert!(names.iter().all(|name| name.chars().all(|c| c.is_ascii_uppercase() || c == '_')));
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ViolationReason::ALL.len());
+    }
+}

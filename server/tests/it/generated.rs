@@ -44,7 +44,7 @@ fn ring(stream: &mut Stream) -> v1::Ring {
 }
 
 fn request(stream: &mut Stream) -> v1::PlanRapidMoveRequest {
-    let mut shape = |stream: &mut Stream| v1::Polygon { outer: Some(ring(stream)), holes: vec![] };
+    let shape = |stream: &mut Stream| v1::Polygon { outer: Some(ring(stream)), holes: vec![] };
     let obstacles =
         (0..stream.random_range(0..4)).map(|i| obstacle(&format!("o{i}"), shape(stream))).collect();
     let scene = v1::Scene {

@@ -1,5 +1,7 @@
 //! The server from outside: over real sockets, in every protocol, with good and bad callers.
 
+#![allow(clippy::panic, reason = "tests; clippy sees functions that help them as production code")]
+
 mod bad_input;
 mod documents;
 mod drain;

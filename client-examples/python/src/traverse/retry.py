@@ -24,6 +24,10 @@ class Retry:
     longest_pause: float = 2.0
     """Seconds."""
 
+    def __post_init__(self) -> None:
+        if self.tries < 1:
+            raise ValueError(f"tries is {self.tries}: at least 1")
+
     def run(self, call: Callable[[float], _Answer], deadline: float) -> _Answer:
         """``call`` with the seconds that are left of ``deadline``, until it answers; raises what it raised last."""
         end = time.monotonic() + deadline

@@ -36,7 +36,8 @@ fn a_path_without_steps_is_a_point() {
 #[test]
 fn wrong_ends_say_by_how_much() {
     let path = line(&[(0.0, 0.0), (1.0, 0.0), (10.0, 0.0)]);
-    let found = check_rapid_move(&scene(0.0, vec![]), p(3.0, 4.0), p(10.0, 1e-5), &path, TOLERANCE).violations;
+    let found =
+        check_rapid_move(&scene(0.0, vec![]), p(3.0, 4.0), p(10.0, 1e-5), &path, TOLERANCE).violations;
     let found: Vec<_> = found.iter().map(|violation| (violation.field.as_str(), violation.reason)).collect();
     assert_eq!(
         found,
@@ -60,7 +61,10 @@ fn arcs_of_any_sweep_are_accepted() {
 fn radii_may_differ_by_the_tolerance() {
     assert_eq!(violations(&circular((1.0, 0.0), (0.0, 1.0 + 9e-7), (0.0, 0.0), TAU / 4.0)), []);
     let found = violations(&circular((1.0, 0.0), (0.0, 1.0 + 1e-5), (0.0, 0.0), TAU / 4.0));
-    assert_eq!((found[0].0.as_str(), found[0].1), ("path.steps[0].arc.center", ViolationReason::ArcRadiiDiffer));
+    assert_eq!(
+        (found[0].0.as_str(), found[0].1),
+        ("path.steps[0].arc.center", ViolationReason::ArcRadiiDiffer)
+    );
     assert!((found[0].2 - 1e-5).abs() < 1e-12);
     // Large circles are given as a share of the radius.
     assert_eq!(violations(&circular((1e5, 0.0), (0.0, 1e5 + 9e-5), (0.0, 0.0), TAU / 4.0)), []);

@@ -79,7 +79,8 @@ fn a_million_vertices_and_ten_thousand_steps_take_seconds() {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(of)).sin_cos();
         p(1e5 * cos, 1e5 * sin)
     };
-    let ring = Ring::new((0..1_000_000).map(|i| corner(i, 1_000_000)).collect(), Vec::new()).expect("a circle is valid");
+    let ring = Ring::new((0..1_000_000).map(|i| corner(i, 1_000_000)).collect(), Vec::new())
+        .expect("a circle is valid");
     let scene = scene(0.0, vec![ring]);
     let before = Instant::now();
     let checker = RapidMoveChecker::new(&scene);

@@ -40,9 +40,19 @@ pub(crate) fn scene(clearance_mm: f64, rings: Vec<Ring>) -> Scene {
     let obstacles = rings
         .into_iter()
         .zip(names)
-        .map(|(ring, name)| Obstacle { id: name.to_string(), shape: Polygon::from_ring(ring), clearance_mm: None })
+        .map(|(ring, name)| Obstacle {
+            id: name.to_string(),
+            shape: Polygon::from_ring(ring),
+            clearance_mm: None,
+        })
         .collect();
-    Scene { work_area: None, obstacles, clearance_mm, work_area_clearance_mm: None, corner_style: CornerStyle::Round }
+    Scene {
+        work_area: None,
+        obstacles,
+        clearance_mm,
+        work_area_clearance_mm: None,
+        corner_style: CornerStyle::Round,
+    }
 }
 
 pub(crate) fn mitred(scene: Scene, limit: Option<f64>) -> Scene {
@@ -89,7 +99,11 @@ pub(crate) fn accepts(scene: &Scene, path: &Path) -> PathCheck {
 pub(crate) fn refuses(scene: &Scene, path: &Path, reason: ViolationReason) -> PathCheck {
     for (way, path) in [("", path.clone()), ("reversed ", path.reversed())] {
         let check = check(scene, &path);
-        assert!(!check.violations.is_empty(), "{way}path was accepted, margin {:?}", check.smallest_margin_mm);
+        assert!(
+            !check.violations.is_empty(),
+            "{way}path was accepted, margin {:?}",
+            check.smallest_margin_mm
+        );
         let others: Vec<_> = check.violations.iter().filter(|violation| violation.reason != reason).collect();
         assert!(others.is_empty(), "{way}path has other reasons: {others:#?}");
     }

@@ -12,7 +12,8 @@ fn the_published_example_is_accepted_and_its_inside_refused() {
     let way = accepts(&scene, &line(&[(6.0, 5.0), (4.0, 6.0), (4.0, 10.0), (6.0, 11.0)]));
     close(way.cost, 4.0 + 2.0 * 5.0_f64.sqrt());
     close(way.smallest_margin_mm.expect("an obstacle"), 0.0);
-    let other = accepts(&scene, &line(&[(6.0, 5.0), (9.0, 6.0), (11.0, 7.0), (11.0, 9.0), (9.0, 10.0), (6.0, 11.0)]));
+    let other =
+        accepts(&scene, &line(&[(6.0, 5.0), (9.0, 6.0), (11.0, 7.0), (11.0, 9.0), (9.0, 10.0), (6.0, 11.0)]));
     assert!((other.cost - 12.797).abs() < 1e-3);
     refuses(&scene, &line(&[(6.0, 5.0), (6.0, 11.0)]), InsideObstacle);
 }
@@ -90,14 +91,16 @@ fn concave_edges_grow_inwards() {
 
 #[test]
 fn the_tip_of_an_antenna_has_a_barrier_and_the_end_of_a_slit_has_none() {
-    let antenna = ring(&[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (20.0, 5.0), (10.0, 5.0), (10.0, 10.0), (0.0, 10.0)]);
+    let antenna =
+        ring(&[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (20.0, 5.0), (10.0, 5.0), (10.0, 10.0), (0.0, 10.0)]);
     let one = mitred(scene(1.0, vec![antenna]), Some(2.0));
     accepts(&one, &line(&[(22.0, -5.0), (22.0, 20.0)]));
     refuses(&one, &line(&[(21.9, -5.0), (21.9, 20.0)]), TooClose);
     accepts(&one, &line(&[(11.0, 6.0), (15.0, 6.0)]));
     refuses(&one, &line(&[(12.0, 5.5), (15.0, 5.5)]), TooClose);
     refuses(&one, &line(&[(15.0, 0.0), (15.0, 10.0)]), TooClose);
-    let slit = ring(&[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (0.5, 5.0), (10.0, 5.0), (10.0, 10.0), (0.0, 10.0)]);
+    let slit =
+        ring(&[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (0.5, 5.0), (10.0, 5.0), (10.0, 10.0), (0.0, 10.0)]);
     let one = mitred(scene(1.0, vec![slit]), None);
     accepts(&one, &line(&[(-1.0, -5.0), (-1.0, 20.0)]));
     accepts(&one, &line(&[(11.0, -5.0), (11.0, 20.0)]));

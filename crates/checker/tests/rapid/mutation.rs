@@ -108,7 +108,8 @@ fn towards(path: &Path, circles: &[(Point, f64)]) -> Vec<Vector> {
 
 /// Circles that a taut path turns left round, one after the other, with plenty of room.
 fn bends() -> impl Strategy<Value = (Point, f64)> {
-    ((-20_000.0..20_000.0_f64, -20_000.0..20_000.0_f64), 0.0..TAU).prop_map(|((x, y), angle)| (p(x, y), angle))
+    ((-20_000.0..20_000.0_f64, -20_000.0..20_000.0_f64), 0.0..TAU)
+        .prop_map(|((x, y), angle)| (p(x, y), angle))
 }
 
 proptest! {

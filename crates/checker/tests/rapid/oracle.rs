@@ -25,7 +25,9 @@ struct Obstacles {
 
 impl Obstacles {
     fn edges(&self) -> impl Iterator<Item = Segment> + '_ {
-        self.rings.iter().flat_map(|ring| (0..ring.len()).map(|i| Segment::new(ring[i], ring[(i + 1) % ring.len()])))
+        self.rings
+            .iter()
+            .flat_map(|ring| (0..ring.len()).map(|i| Segment::new(ring[i], ring[(i + 1) % ring.len()])))
     }
 
     fn hold(&self, q: Point) -> bool {
@@ -58,8 +60,11 @@ fn can_be_freed(obstacles: &Obstacles, path: &Path) -> bool {
     for &place in &places {
         let (ci, cj) = ((place.x / SPACING).round() as i32, (place.y / SPACING).round() as i32);
         let is_near = |(i, j): (i32, i32)| (lattice(i, j) - place).norm() <= REACH;
-        let close: Vec<Segment> =
-            edges.iter().copied().filter(|edge| edge.distance_to_point(place) < REACH + 2.0 * SPACING).collect();
+        let close: Vec<Segment> = edges
+            .iter()
+            .copied()
+            .filter(|edge| edge.distance_to_point(place) < REACH + 2.0 * SPACING)
+            .collect();
         let mut seen = vec![false; (side * side) as usize];
         let index = |(i, j): (i32, i32)| ((i - ci + around) * side + (j - cj + around)) as usize;
         let mut open: Vec<(i32, i32)> = match &reached {
@@ -100,7 +105,14 @@ fn any_ring() -> impl Strategy<Value = Ring> {
             4 => ring(&[(x + w, y), (x, y + h), (x - w, y), (x, y - h)]),
             // Antennas to the right and upwards.
             5 => ring(&[(x, y), (x + 1.0, y), (x + 1.0 + w, y), (x + 1.0, y), (x + 1.0, y + h), (x, y + h)]),
-            _ => ring(&[(x, y), (x + 1.0, y), (x + 1.0, y + h), (x + 1.0, y + h + 2.0), (x + 1.0, y + h), (x, y + h)]),
+            _ => ring(&[
+                (x, y),
+                (x + 1.0, y),
+                (x + 1.0, y + h),
+                (x + 1.0, y + h + 2.0),
+                (x + 1.0, y + h),
+                (x, y + h),
+            ]),
         }
     })
 }

@@ -6,8 +6,14 @@ use traverse_checker::ViolationReason::{InsideObstacle, TooClose};
 #[test]
 fn a_straight_step_keeps_its_distance() {
     let scene = scene(2.0, vec![rectangle(0.0, 0.0, 10.0, 10.0)]);
-    close(accepts(&scene, &line(&[(-5.0, 13.0), (15.0, 13.0)])).smallest_margin_mm.expect("an obstacle"), 1.0);
-    close(accepts(&scene, &line(&[(-5.0, 12.0), (15.0, 12.0)])).smallest_margin_mm.expect("an obstacle"), 0.0);
+    close(
+        accepts(&scene, &line(&[(-5.0, 13.0), (15.0, 13.0)])).smallest_margin_mm.expect("an obstacle"),
+        1.0,
+    );
+    close(
+        accepts(&scene, &line(&[(-5.0, 12.0), (15.0, 12.0)])).smallest_margin_mm.expect("an obstacle"),
+        0.0,
+    );
     let near = refuses(&scene, &line(&[(-5.0, 11.5), (15.0, 11.5)]), TooClose);
     close(near.violations[0].amount, 0.5);
     close(near.smallest_margin_mm.expect("an obstacle"), -0.5);
@@ -35,7 +41,10 @@ fn a_disc_is_gone_round() {
     accepts(&scene, &arc(line(&[(9.5, 4.0)]), (3.0, 4.0), 360.0));
     accepts(&scene, &arc(line(&[(9.5, 4.0)]), (3.0, 4.0), -200.0));
     refuses(&scene, &arc(line(&[(9.4, 4.0)]), (3.0, 4.0), 360.0), TooClose);
-    close(refuses(&scene, &arc(line(&[(6.0, 4.0)]), (3.0, 4.0), 30.0), InsideObstacle).violations[0].amount, 3.5);
+    close(
+        refuses(&scene, &arc(line(&[(6.0, 4.0)]), (3.0, 4.0), 30.0), InsideObstacle).violations[0].amount,
+        3.5,
+    );
     accepts(&scene, &line(&[(-10.0, 10.5), (10.0, 10.5)]));
     refuses(&scene, &line(&[(-10.0, 10.4), (10.0, 10.4)]), TooClose);
 }
@@ -54,11 +63,18 @@ fn a_path_far_inside_is_seen_though_no_border_is_near() {
 fn holes_are_free_and_their_borders_are_not() {
     let mut holed = scene(1.0, vec![]);
     let ring_shape = polygon(disc(0.0, 0.0, 10.0), vec![disc(0.0, 0.0, 6.0)]);
-    holed.obstacles.push(traverse_geometry::Obstacle { id: "ring".into(), shape: ring_shape, clearance_mm: None });
+    holed.obstacles.push(traverse_geometry::Obstacle {
+        id: "ring".into(),
+        shape: ring_shape,
+        clearance_mm: None,
+    });
     accepts(&holed, &line(&[(-4.0, 0.0), (4.0, 0.0)]));
     accepts(&holed, &arc(line(&[(5.0, 0.0)]), (0.0, 0.0), 360.0));
     refuses(&holed, &arc(line(&[(5.1, 0.0)]), (0.0, 0.0), 360.0), TooClose);
-    close(refuses(&holed, &arc(line(&[(8.0, 0.0)]), (0.0, 0.0), 300.0), InsideObstacle).violations[0].amount, 3.0);
+    close(
+        refuses(&holed, &arc(line(&[(8.0, 0.0)]), (0.0, 0.0), 300.0), InsideObstacle).violations[0].amount,
+        3.0,
+    );
     refuses(&holed, &line(&[(0.0, 0.0), (20.0, 0.0)]), InsideObstacle);
 }
 
@@ -98,10 +114,17 @@ fn at_clearance_0_paths_slide_along_edges_and_past_vertices() {
         let round = [(x, y), (x + 10.0, y), (x + 10.0, y + 10.0), (x, y + 10.0), (x, y)];
         accepts(&scene, &line(&round));
         accepts(&scene, &line(&[(x - 5.0, y + 5.0), (x, y + 10.0), (x + 5.0, y + 15.0)]));
-        accepts(&scene, &line(&[(x - 3.0, y + 9.0), (x, y + 10.0), (x + 10.0, y + 10.0), (x + 11.0, y + 2.0)]));
+        accepts(
+            &scene,
+            &line(&[(x - 3.0, y + 9.0), (x, y + 10.0), (x + 10.0, y + 10.0), (x + 11.0, y + 2.0)]),
+        );
         refuses(&scene, &line(&[(x, y + 5.0), (x + 10.0, y + 5.0)]), InsideObstacle);
         refuses(&scene, &line(&[(x, y), (x + 10.0, y + 10.0)]), InsideObstacle);
-        let deep = refuses(&scene, &line(&[(x - 5.0, y + 10.0 - 1e-5), (x + 15.0, y + 10.0 - 1e-5)]), InsideObstacle);
+        let deep = refuses(
+            &scene,
+            &line(&[(x - 5.0, y + 10.0 - 1e-5), (x + 15.0, y + 10.0 - 1e-5)]),
+            InsideObstacle,
+        );
         assert!((deep.violations[0].amount - 1e-5).abs() < 1e-9);
         accepts(&scene, &line(&[(x - 5.0, y + 10.0 - 9e-7), (x + 15.0, y + 10.0 - 9e-7)]));
     }
@@ -122,8 +145,22 @@ fn at_clearance_0_paths_slide_along_arcs() {
 
 #[test]
 fn concave_corners_and_pockets_are_entered_as_far_as_they_go() {
-    let pocket = || ring(&[(0.0, 0.0), (30.0, 0.0), (30.0, 20.0), (20.0, 20.0), (20.0, 5.0), (10.0, 5.0), (10.0, 20.0), (0.0, 20.0)]);
-    accepts(&scene(0.0, vec![pocket()]), &line(&[(15.0, 30.0), (10.0, 20.0), (10.0, 5.0), (20.0, 5.0), (20.0, 30.0)]));
+    let pocket = || {
+        ring(&[
+            (0.0, 0.0),
+            (30.0, 0.0),
+            (30.0, 20.0),
+            (20.0, 20.0),
+            (20.0, 5.0),
+            (10.0, 5.0),
+            (10.0, 20.0),
+            (0.0, 20.0),
+        ])
+    };
+    accepts(
+        &scene(0.0, vec![pocket()]),
+        &line(&[(15.0, 30.0), (10.0, 20.0), (10.0, 5.0), (20.0, 5.0), (20.0, 30.0)]),
+    );
     let round = scene(2.0, vec![pocket()]);
     accepts(&round, &line(&[(12.0, 20.0), (12.0, 7.0), (18.0, 7.0), (18.0, 20.0)]));
     refuses(&round, &line(&[(12.0, 20.0), (12.0, 6.9), (18.0, 6.9)]), TooClose);

@@ -55,7 +55,8 @@ fn not_along_a_seam_on_a_slant_of_unequal_plates() {
 
 #[test]
 fn not_where_a_corner_touches_the_middle_of_an_edge() {
-    let scene = scene(0.0, vec![rectangle(0.0, 0.0, 10.0, 10.0), ring(&[(5.0, 10.0), (8.0, 20.0), (2.0, 20.0)])]);
+    let scene =
+        scene(0.0, vec![rectangle(0.0, 0.0, 10.0, 10.0), ring(&[(5.0, 10.0), (8.0, 20.0), (2.0, 20.0)])]);
     refuses(&scene, &line(&[(0.0, 10.0), (10.0, 10.0)]), BetweenTouchingObstacles);
     refuses(&scene, &line(&[(0.0, 12.0), (5.0, 10.0), (10.0, 12.0)]), BetweenTouchingObstacles);
     accepts(&scene, &line(&[(0.0, 10.0), (5.0, 10.0), (2.0, 20.0)]));
@@ -65,7 +66,8 @@ fn not_where_a_corner_touches_the_middle_of_an_edge() {
 #[test]
 fn slits_are_open_down_to_what_coordinates_resolve() {
     for (gap, x) in [(1e-3, 0.0), (1e-5, 0.0), (1e-6, 0.0), (1e-7, 0.0), (1e-7, 1000.0), (1e-3, 20_000.0)] {
-        let scene = scene(0.0, vec![rectangle(x, 0.0, x + 10.0, 10.0), rectangle(x, 10.0 + gap, x + 10.0, 20.0)]);
+        let scene =
+            scene(0.0, vec![rectangle(x, 0.0, x + 10.0, 10.0), rectangle(x, 10.0 + gap, x + 10.0, 20.0)]);
         accepts(&scene, &line(&[(x - 5.0, 5.0), (x, 10.0), (x + 10.0, 10.0), (x + 15.0, 5.0)]));
         accepts(&scene, &line(&[(x - 5.0, 5.0), (x, 10.0), (x + 10.0, 10.0 + gap), (x + 15.0, 15.0)]));
         accepts(&scene, &line(&[(x, 10.0 + gap / 2.0), (x + 10.0, 10.0 + gap / 2.0)]));
@@ -78,7 +80,10 @@ fn thin_plates_block_however_thin_they_are() {
         let scene = scene(0.0, vec![rectangle(0.0, 0.0, 10.0, thickness)]);
         let check = check(&scene, &line(&[(5.0, -5.0), (5.0, 5.0)]));
         assert_eq!(check.violations.len(), 1, "{thickness}: {:?}", check.violations);
-        assert_eq!(check.violations[0].reason, if thickness > 2e-6 { InsideObstacle } else { BetweenTouchingObstacles });
+        assert_eq!(
+            check.violations[0].reason,
+            if thickness > 2e-6 { InsideObstacle } else { BetweenTouchingObstacles }
+        );
         accepts(&scene, &line(&[(5.0, -5.0), (10.0, 0.0), (10.0, thickness), (5.0, 5.0)]));
         accepts(&scene, &line(&[(-5.0, 0.0), (15.0, 0.0)]));
         accepts(&scene, &line(&[(5.0, -5.0), (5.0, 0.0), (8.0, -5.0)]));
@@ -158,8 +163,18 @@ fn not_along_a_circular_seam() {
 fn one_ring_that_touches_itself_closes() {
     // A C whose jaws meet in a point, and one whose jaws meet along an edge.
     let point = ring(&[
-        (0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (15.0, 9.0), (15.0, 5.0), (5.0, 5.0), (5.0, 15.0), (15.0, 15.0),
-        (15.0, 11.0), (20.0, 10.0), (20.0, 20.0), (0.0, 20.0),
+        (0.0, 0.0),
+        (20.0, 0.0),
+        (20.0, 10.0),
+        (15.0, 9.0),
+        (15.0, 5.0),
+        (5.0, 5.0),
+        (5.0, 15.0),
+        (15.0, 15.0),
+        (15.0, 11.0),
+        (20.0, 10.0),
+        (20.0, 20.0),
+        (0.0, 20.0),
     ]);
     let scene_point = scene(0.0, vec![point]);
     refuses(&scene_point, &line(&[(10.0, 10.0), (25.0, 10.0)]), BetweenTouchingObstacles);
@@ -167,8 +182,18 @@ fn one_ring_that_touches_itself_closes() {
     accepts(&scene_point, &line(&[(20.0, 10.0), (25.0, 10.0)]));
     accepts(&scene_point, &line(&[(25.0, 0.0), (20.0, 10.0), (20.0, 20.0)]));
     let edge = ring(&[
-        (0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (15.0, 10.0), (15.0, 5.0), (5.0, 5.0), (5.0, 15.0), (15.0, 15.0),
-        (15.0, 10.0), (20.0, 10.0), (20.0, 20.0), (0.0, 20.0),
+        (0.0, 0.0),
+        (20.0, 0.0),
+        (20.0, 10.0),
+        (15.0, 10.0),
+        (15.0, 5.0),
+        (5.0, 5.0),
+        (5.0, 15.0),
+        (15.0, 15.0),
+        (15.0, 10.0),
+        (20.0, 10.0),
+        (20.0, 20.0),
+        (0.0, 20.0),
     ]);
     let scene_edge = scene(0.0, vec![edge]);
     refuses(&scene_edge, &line(&[(10.0, 10.0), (25.0, 10.0)]), BetweenTouchingObstacles);
@@ -187,8 +212,11 @@ fn overlapping_obstacles_close_too() {
 #[test]
 fn three_wedges_in_one_point_part_the_plane() {
     let wedge = |a: (f64, f64), b: (f64, f64)| ring(&[(0.0, 0.0), a, b]);
-    let wedges =
-        vec![wedge((10.0, -1.0), (10.0, 1.0)), wedge((-4.0, 9.0), (-6.0, 8.0)), wedge((-6.0, -8.0), (-4.0, -9.0))];
+    let wedges = vec![
+        wedge((10.0, -1.0), (10.0, 1.0)),
+        wedge((-4.0, 9.0), (-6.0, 8.0)),
+        wedge((-6.0, -8.0), (-4.0, -9.0)),
+    ];
     let scene = scene(0.0, wedges);
     let ends = [(10.0, 10.0), (-10.0, 0.5), (10.0, -10.0)];
     for (i, &from) in ends.iter().enumerate() {

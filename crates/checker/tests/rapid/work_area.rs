@@ -1,12 +1,17 @@
 //! The work area: inside it, with its border's clearance, round its holes.
 
 use crate::making::*;
-use traverse_checker::ViolationReason::{BetweenTouchingObstacles, InsideObstacle, OutsideWorkArea, TooClose};
+use traverse_checker::ViolationReason::{
+    BetweenTouchingObstacles, InsideObstacle, OutsideWorkArea, TooClose,
+};
 use traverse_checker::{WORK_AREA_ID, check_rapid_move};
-use traverse_geometry::{Scene, Point};
+use traverse_geometry::{Point, Scene};
 
 fn area(clearance_mm: f64) -> Scene {
-    let shape = polygon(rectangle(0.0, 0.0, 100.0, 100.0), vec![rectangle(40.0, 40.0, 60.0, 60.0), disc(80.0, 80.0, 5.0)]);
+    let shape = polygon(
+        rectangle(0.0, 0.0, 100.0, 100.0),
+        vec![rectangle(40.0, 40.0, 60.0, 60.0), disc(80.0, 80.0, 5.0)],
+    );
     Scene { work_area: Some(shape), ..scene(clearance_mm, vec![]) }
 }
 
@@ -46,7 +51,10 @@ fn the_border_may_have_its_own_clearance() {
 
 #[test]
 fn reflex_corners_of_the_area_are_mitred() {
-    let shape = polygon(ring(&[(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (10.0, 20.0), (10.0, 10.0), (0.0, 10.0)]), vec![]);
+    let shape = polygon(
+        ring(&[(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (10.0, 20.0), (10.0, 10.0), (0.0, 10.0)]),
+        vec![],
+    );
     let round = Scene { work_area: Some(shape), ..scene(2.0, vec![]) };
     let corner = to(arc(line(&[(5.0, 8.0), (10.0, 8.0)]), (10.0, 10.0), 90.0), 12.0, 15.0);
     accepts(&round, &corner);

@@ -1,0 +1,121 @@
+//! A profile as its TOML says it: keys and types right, values not yet looked at.
+
+use super::ProfileFinding;
+use super::line_index::LineIndex;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawProfiles {
+    pub(crate) machine: BTreeMap<String, Spanned<RawMachine>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawMachine {
+    pub(crate) clearance_mm: Option<Spanned<f64>>,
+    pub(crate) border_clearance_mm: Option<Spanned<f64>>,
+    pub(crate) corner_style: Option<Spanned<RawCornerStyle>>,
+    pub(crate) miter_limit: Option<Spanned<f64>>,
+    #[serde(default)]
+    pub(crate) roles: RawRoles,
+    #[serde(default)]
+    pub(crate) speeds: RawSpeeds,
+    pub(crate) gcode: Option<Spanned<RawGcode>>,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RawCornerStyle {
+    Round,
+    Miter,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawRoles {
+    pub(crate) work_area: Option<Spanned<Vec<String>>>,
+    pub(crate) obstacles: Option<Spanned<Vec<String>>>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawSpeeds {
+    pub(crate) arc_feed_mm_per_min: Option<Spanned<f64>>,
+    pub(crate) straight_feed_mm_per_min: Option<Spanned<f64>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawGcode {
+    pub(crate) dialect: Option<RawDialect>,
+    pub(crate) unit: Option<RawUnit>,
+    pub(crate) plane: Option<RawPlane>,
+    pub(crate) x_word: Option<Spanned<RawXWord>>,
+    pub(crate) decimals: Option<Spanned<u8>>,
+    pub(crate) straight: Option<RawStraight>,
+    pub(crate) arcs: Option<RawArcs>,
+    pub(crate) chord_tolerance_mm: Option<Spanned<f64>>,
+    pub(crate) safe_start: Option<Spanned<Vec<String>>>,
+    pub(crate) header: Option<Spanned<Vec<String>>>,
+    pub(crate) footer: Option<Spanned<Vec<String>>>,
+    pub(crate) program_number: Option<Spanned<u16>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RawDialect {
+    LinuxCnc,
+    Grbl,
+    Fanuc,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RawUnit {
+    Mm,
+    Inch,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+pub(crate) enum RawPlane {
+    G17,
+    G18,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RawXWord {
+    Radius,
+    Diameter,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+pub(crate) enum RawStraight {
+    G0,
+    G1,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RawArcs {
+    Fed,
+    Chords,
+}
+
+/// Reads the keys; the first that is wrong is the one finding.
+pub(crate) fn read(text: &str) -> Result<RawProfiles, Vec<ProfileFinding>> {
+    let lines = LineIndex::new(text);
+    let finding = |error: &toml::de::Error, key: String| {
+        let line = error.span().map_or(1, |span| lines.line(span.start));
+        vec![ProfileFinding { line, key, message: error.message().replace('\n', "; ") }]
+    };
+    let toml = toml::Deserializer::parse(text)
+        .map_err(|error| finding(&error, "toml".to_owned()))?;
+    serde_path_to_error::deserialize(toml).map_err(|error| {
+        let key = error.path().to_string();
+        finding(error.inner(), key)
+    })
+}
