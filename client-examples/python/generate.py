@@ -12,7 +12,7 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
 class GenerateMessages(BuildHookInterface):  # type: ignore[type-arg]
-    """Runs protoc for every ``traverse/v1/*.proto``: of the clone, or of the copy that a source distribution carries."""
+    """Runs protoc for every ``traverse/v1/*.proto``: of the clone, or of a source distribution's copy."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         if self.target_name != "wheel":
@@ -20,9 +20,9 @@ class GenerateMessages(BuildHookInterface):  # type: ignore[type-arg]
         contract = self._contract()
         self._out = tempfile.mkdtemp(prefix="traverse-messages-")
         files = sorted(str(file) for file in contract.glob("traverse/v1/*.proto"))
+        google = Path(protoc.__file__).parent / "_proto"
         code = protoc.main(
-            ["protoc", f"-I{contract}", f"-I{Path(protoc.__file__).parent / '_proto'}"]
-            + [f"--python_out={self._out}", f"--pyi_out={self._out}", *files]
+            ["protoc", f"-I{contract}", f"-I{google}", f"--python_out={self._out}", f"--pyi_out={self._out}", *files]
         )
         if code != 0:
             raise RuntimeError(f"protoc ended with {code} on {contract}")
@@ -38,4 +38,4 @@ class GenerateMessages(BuildHookInterface):  # type: ignore[type-arg]
         for folder in (root / "proto", root.parent.parent / "proto"):
             if any(folder.glob("traverse/v1/*.proto")):
                 return folder
-        raise RuntimeError("proto/traverse/v1 is missing: install from a clone of Traverse or from a source distribution")
+        raise RuntimeError("proto/traverse/v1 is missing: install from a clone or a source distribution")

@@ -1,7 +1,7 @@
 //! What the services call to get answers: the engines, behind a trait so that tests can put one in that waits, counts or
 //! panics.
 
-use traverse_checker::{PathCheck, check_rapid_move};
+use traverse_checker::{PathCheck, check_rapid_move_while};
 use traverse_geometry::Scene;
 use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
 use traverse_proto::CheckQuestion;
@@ -22,16 +22,10 @@ pub trait Engines: Send + Sync + 'static {
         plan_rapid_move(scene, query, budget, &mut Silent)
     }
 
-    /// Checks one rapid move.
-    fn check_rapid_move(&self, question: &CheckQuestion, budget: &Budget) -> PathCheck {
-        let _ = budget;
-        check_rapid_move(
-            &question.scene,
-            question.start,
-            question.target,
-            &question.path,
-            question.tolerance_mm,
-        )
+    /// Checks one rapid move. None: the budget ended first.
+    fn check_rapid_move(&self, question: &CheckQuestion, budget: &Budget) -> Option<PathCheck> {
+        let CheckQuestion { scene, start, target, path, tolerance_mm } = question;
+        check_rapid_move_while(scene, *start, *target, path, *tolerance_mm, &|| budget.check(0).is_ok())
     }
 }
 

@@ -42,7 +42,7 @@ def outer(found: SceneFromDxf, number: int = 0) -> Ring:
         ("vise-and-clamps", (110, 155), (570, 150), 5, None),
         ("turned-shaft", (100, 38), (206, 38), 4, "SHAFT/1"),
         ("turned-shaft", (70, 60), (310, 30), 4, "SHAFT/1"),
-        ("leather-hide", (210, 300), (1120, 480), 6, "MARKS/1"),
+        ("leather-hide", (210, 300), (1120, 480), 6, "PIECES/5"),
         ("leather-hide", (308, 374), (1000, 640), 6, "PIECES/2"),
     ],
 )
@@ -95,7 +95,9 @@ def test_mirrored_extrusion_turns_x_and_bulges(tmp_path: File) -> None:
     document = new()
     space = document.modelspace()
     down = {"extrusion": (0, 0, -1)}
-    space.add_lwpolyline([(0, 0, 0, 0, 0), (10, 0, 0, 0, 1), (10, 10, 0, 0, 0), (0, 10, 0, 0, 0)], close=True, dxfattribs=down)
+    space.add_lwpolyline(
+        [(0, 0, 0, 0, 0), (10, 0, 0, 0, 1), (10, 10, 0, 0, 0), (0, 10, 0, 0, 0)], close=True, dxfattribs=down
+    )
     space.add_arc((30, 0), 5, 0, 180, dxfattribs=down)
     space.add_line((-35, 0), (-25, 0))
     space.add_circle((0, 0, 0), 3, dxfattribs={"extrusion": (1, 0, 0)})

@@ -63,7 +63,8 @@ def test_a_ring_follows_its_path(clockwise: bool, turn: float) -> None:
 
 def test_straight_paths_make_rings_without_bulges() -> None:
     triangle = Path.begin((0, 0)).line_to((4, 0)).line_to((0, 3))
-    assert Ring.from_path(triangle) == Ring.from_path(triangle.line_to((0, 0))) == Ring.polygon([(0, 0), (4, 0), (0, 3)])
+    ring = Ring.polygon([(0, 0), (4, 0), (0, 3)])
+    assert Ring.from_path(triangle) == Ring.from_path(triangle.line_to((0, 0))) == ring
     assert Ring.polygon([(0, 0), (4, 0), (0, 3)]).points() == [(0, 0), (4, 0), (0, 3)]
 
 
@@ -71,7 +72,7 @@ def test_what_is_no_arc_is_refused() -> None:
     with pytest.raises(ValueError, match="bulge 0"):
         Arc.from_bulge((0, 0), (1, 0), 0)
     with pytest.raises(ValueError, match="full circle"):
-        Arc(Point(0, 0), False, 2 * math.pi).bulge
+        _ = Arc(Point(0, 0), False, 2 * math.pi).bulge
     with pytest.raises(ValueError, match="1 bulges for 3 vertices"):
         Ring(Ring.polygon([(0, 0), (4, 0), (0, 3)]).vertices, (1.0,))
     with pytest.raises(ValueError, match="tolerance_mm is 0"):

@@ -35,10 +35,8 @@ def test_a_plan_shows_itself_with_its_scene(client: Client) -> None:
 
 
 def test_no_path_marks_what_is_in_between(client: Client) -> None:
-    scene = Scene(
-        [Obstacle("ring", Polygon(Ring.circle((0, 0), 30), (Ring.circle((0, 0), 20),))), Obstacle("far", Ring.circle((90, 0), 5))],
-        clearance_mm=1,
-    )
+    ring = Polygon(Ring.circle((0, 0), 30), (Ring.circle((0, 0), 20),))
+    scene = Scene([Obstacle("ring", ring), Obstacle("far", Ring.circle((90, 0), 5))], clearance_mm=1)
     answer = client.plan_rapid_move(scene, (0, 0), (50, 0))
     assert isinstance(answer, NoPath)
     assert [kind for kind, _ in shapes(answer._repr_svg_())] == ["marked", "obstacle", "start", "target"]

@@ -12,7 +12,7 @@ PLATE = Scene([Obstacle("plate", Ring.rectangle(0, 0, 60, 40))], clearance_mm=3)
 
 
 def test_every_finding_arrives(client: Client) -> None:
-    crossed = Ring.polygon([(0, 0), (10, 10), (10, 0), (0, 10)])
+    crossed = Ring.polygon([(0, 0), (10, 10), (10, 0), (0, 12)])
     scene = Scene([Obstacle("a", crossed), Obstacle("a", Ring.polygon([(0, 0), (1, 1)]))], clearance_mm=-1)
     with pytest.raises(RequestRefused) as refused:
         client.plan_rapid_move(scene, (math.nan, 0), (0, 0))
@@ -26,7 +26,9 @@ def test_every_finding_arrives(client: Client) -> None:
 
 
 @pytest.mark.parametrize("ends", [((-3, -3), (5, 5)), ((5, 5), (6, 6))])
-def test_ends_inside_a_barrier_are_refused(client: Client, ends: tuple[tuple[float, float], tuple[float, float]]) -> None:
+def test_ends_inside_a_barrier_are_refused(
+    client: Client, ends: tuple[tuple[float, float], tuple[float, float]]
+) -> None:
     for call in (client.plan_rapid_move, client.validate_rapid_move):
         with pytest.raises(RequestRefused) as refused:
             call(PLATE, *ends)

@@ -10,47 +10,36 @@ use parry2d_f64::math::Vector as ParryVector;
 use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 use traverse_geometry::{Bounds, Point, Vector};
 
-/// The tree, and how its boxes relate to margins.
+/// Most edges in one tree: building it takes a few milliseconds, so that giving up does not wait for long.
+const TREE_SIZE: usize = 16_384;
+
+/// The tree, in parts, and how its boxes relate to margins.
 pub(crate) struct BoundaryTree {
-    bvh: Bvh,
+    /// First edge of each part; boxes count from there.
+    parts: Vec<(u32, Bvh)>,
     /// No margin is less than the distance to the edge's box divided by this: above 1 where corners are mitred.
     stretch: f64,
 }
 
 impl BoundaryTree {
-    /// The tree over every edge of `boundary`.
-    pub(crate) fn over(boundary: &Boundary) -> Self {
+    /// The tree over every edge of `boundary`, given up when `go_on` says no.
+    pub(crate) fn over(boundary: &Boundary, go_on: &dyn Fn() -> bool) -> Option<Self> {
         let mut stretch = 1.0_f64;
-        let boxes = (0..boundary.len()).map(|edge| {
-            let edge = edge as u32;
-            let solid = boundary.solid(edge);
-            let mut bounds = boundary.curve(edge).bounds().grown(solid.clearance);
-            if let Some(limit) = solid.mitred()
-                && let Some(corner) = boundary.corner_after(edge)
-            {
-                for vertex in corner.outline(solid.clearance, limit) {
-                    stretch = stretch.max((vertex - corner.at).norm() / solid.clearance);
-                    bounds = bounds.with(vertex);
-                }
+        let mut parts = Vec::new();
+        for first in (0..boundary.len()).step_by(TREE_SIZE) {
+            if !go_on() {
+                return None;
             }
-            // Rounding of the box itself.
-            (edge as usize, aabb(bounds.grown(1e-9)))
-        });
-        let bvh = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Self { bvh, stretch: stretch * (1.0 + 1e-9) }
+            let count = TREE_SIZE.min(boundary.len() - first);
+            let boxes = (0..count).map(|at| (at, edge_box(boundary, (first + at) as u32, &mut stretch)));
+            parts.push((first as u32, Bvh::from_iter(BvhBuildStrategy::Binned, boxes)));
+        }
+        Some(Self { parts, stretch: stretch * (1.0 + 1e-9) })
     }
 
     /// Calls `found` with every edge whose box comes within `reach` of `step`, possibly a few more.
     pub(crate) fn near(&self, step: &StepBox, reach: f64, mut found: impl FnMut(u32)) {
-        self.bvh.traverse(|node| {
-            if step.distance_to(&bounds(node)) > reach {
-                return TraversalAction::Prune;
-            }
-            if let Some(edge) = node.leaf_data() {
-                found(edge);
-            }
-            TraversalAction::Continue
-        });
+        self.traverse(|bounds| step.distance_to(bounds) <= reach, &mut found);
     }
 
     /// The least margin below `most`, where `margin` gives it for an edge.
@@ -61,22 +50,47 @@ impl BoundaryTree {
         margin: impl Fn(u32) -> Option<f64>,
     ) -> Option<f64> {
         let bound = |node: &BvhNode, _| step.distance_to(&bounds(node)) / self.stretch;
-        self.bvh.find_best(most, bound, |edge, _| margin(edge)).map(|(_, margin)| margin)
+        self.parts.iter().fold(None, |least: Option<f64>, (first, part)| {
+            let nearer = part.find_best(least.unwrap_or(most), bound, |edge, _| margin(first + edge));
+            nearer.map(|(_, margin)| margin).or(least)
+        })
     }
 
     /// Calls `found` with every edge that a ray from `from` to the right may cross, up to `right`.
     pub(crate) fn to_the_right(&self, from: Point, right: f64, mut found: impl FnMut(u32)) {
-        self.bvh.traverse(|node| {
-            let box_ = bounds(node);
-            if box_.min.y > from.y || box_.max.y < from.y || box_.max.x < from.x || box_.min.x > right {
-                return TraversalAction::Prune;
-            }
-            if let Some(edge) = node.leaf_data() {
-                found(edge);
-            }
-            TraversalAction::Continue
-        });
+        let ray = Bounds { min: from, max: Point::new(right, from.y) };
+        self.traverse(|bounds| bounds.meets(&ray), &mut found);
     }
+
+    fn traverse(&self, wanted: impl Fn(&Bounds) -> bool, found: &mut impl FnMut(u32)) {
+        for (first, part) in &self.parts {
+            part.traverse(|node| {
+                if !wanted(&bounds(node)) {
+                    return TraversalAction::Prune;
+                }
+                if let Some(edge) = node.leaf_data() {
+                    found(first + edge);
+                }
+                TraversalAction::Continue
+            });
+        }
+    }
+}
+
+/// The box that holds what `edge` keeps the tool from.
+fn edge_box(boundary: &Boundary, edge: u32, stretch: &mut f64) -> Aabb {
+    let solid = boundary.solid(edge);
+    let mut bounds = boundary.curve(edge).bounds().grown(solid.clearance);
+    if let Some(limit) = solid.mitred()
+        && let Some(corner) = boundary.corner_after(edge)
+    {
+        for vertex in corner.outline(solid.clearance, limit) {
+            *stretch = stretch.max((vertex - corner.at).norm() / solid.clearance);
+            bounds = bounds.with(vertex);
+        }
+    }
+    // Rounding of the box itself.
+    aabb(bounds.grown(1e-9))
 }
 
 /// A step, ready to be held against boxes.

@@ -48,6 +48,3 @@ pub use rapid_check::{
     PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
 };
 pub use violation::{Violation, ViolationReason};
-
-/// Stands for the work area where a violation names an obstacle. No obstacle has this id.
-pub const WORK_AREA_ID: &str = "work_area";

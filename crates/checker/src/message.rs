@@ -13,7 +13,7 @@ pub(crate) fn millimetres(length: f64) -> String {
 
 /// The obstacle's id, or that of the work area.
 pub(crate) fn solid_id(scene: &Scene, obstacle: Option<usize>) -> &str {
-    obstacle.map_or(crate::WORK_AREA_ID, |index| scene.obstacles[index].id.as_str())
+    obstacle.map_or(WORK_AREA_ID, |index| scene.obstacles[index].id.as_str())
 }
 
 /// `obstacle a`, or `the border of the work area`.

@@ -55,6 +55,20 @@ pub fn check_rapid_move(
     RapidMoveChecker::new(scene).check(start, target, path, tolerance_mm)
 }
 
+/// As [`check_rapid_move`], given up when `go_on`, asked between its parts, says no: then there is no answer.
+#[must_use]
+pub fn check_rapid_move_while(
+    scene: &Scene,
+    start: Point,
+    target: Point,
+    path: &Path,
+    tolerance_mm: f64,
+    go_on: &dyn Fn() -> bool,
+) -> Option<PathCheck> {
+    let checker = RapidMoveChecker::new_while(scene, go_on)?;
+    checker.check_while(start, target, path, tolerance_mm, go_on)
+}
+
 /// A scene, made ready to check any number of paths in it.
 pub struct RapidMoveChecker<'a> {
     scene: &'a Scene,
@@ -66,17 +80,37 @@ impl<'a> RapidMoveChecker<'a> {
     /// Makes `scene` ready. Cost: O(n log n) for n vertices.
     #[must_use]
     pub fn new(scene: &'a Scene) -> Self {
+        Self::new_while(scene, &|| true).expect("invariant: only a no gives up")
+    }
+
+    /// As [`RapidMoveChecker::new`], given up when `go_on`, asked every few milliseconds, says no.
+    #[must_use]
+    pub fn new_while(scene: &'a Scene, go_on: &dyn Fn() -> bool) -> Option<Self> {
         let boundary = Boundary::of(scene);
-        let tree = BoundaryTree::over(&boundary);
-        Self { scene, boundary, tree }
+        let tree = BoundaryTree::over(&boundary, go_on)?;
+        Some(Self { scene, boundary, tree })
     }
 
     /// Checks one path, as [`check_rapid_move`] does. Cost: O(log n + what it touches) for each step.
     #[must_use]
     pub fn check(&self, start: Point, target: Point, path: &Path, tolerance_mm: f64) -> PathCheck {
+        let check = self.check_while(start, target, path, tolerance_mm, &|| true);
+        check.expect("invariant: only a no gives up")
+    }
+
+    /// As [`RapidMoveChecker::check`], given up when `go_on`, asked at every step, says no.
+    #[must_use]
+    pub fn check_while(
+        &self,
+        start: Point,
+        target: Point,
+        path: &Path,
+        tolerance_mm: f64,
+        go_on: &dyn Fn() -> bool,
+    ) -> Option<PathCheck> {
         let mut violations = not_finite(start, target, path);
         if !violations.is_empty() {
-            return PathCheck { violations, cost: 0.0, smallest_margin_mm: None };
+            return Some(PathCheck { violations, cost: 0.0, smallest_margin_mm: None });
         }
         // Also turns NaN into the least tolerance.
         let tolerance = tolerance_mm.max(SMALLEST_TOLERANCE_MM);
@@ -98,13 +132,16 @@ impl<'a> RapidMoveChecker<'a> {
             touched: vec![Vec::new(); steps.len()],
         };
         for (index, step) in steps.iter().enumerate() {
+            if !go_on() {
+                return None;
+            }
             match step {
                 Some(step) => walk.step(index, step),
                 None => walk.inside = None,
             }
         }
-        walk.passages(&steps);
-        PathCheck { violations: walk.violations, cost, smallest_margin_mm: walk.smallest }
+        walk.passages(&steps, go_on);
+        go_on().then_some(PathCheck { violations: walk.violations, cost, smallest_margin_mm: walk.smallest })
     }
 }
 
@@ -243,7 +280,7 @@ impl Walk<'_> {
     }
 
     /// Reports where the path passes between what touches, unless it goes through the same solid anyway.
-    fn passages(&mut self, steps: &[Option<Curve>]) {
+    fn passages(&mut self, steps: &[Option<Curve>], go_on: &dyn Fn() -> bool) {
         let Surroundings { boundary, tree, tolerance } = self.around;
         if self.touched.iter().all(Vec::is_empty) {
             return;
@@ -251,11 +288,11 @@ impl Walk<'_> {
         let strip = Strip::along(steps, tolerance);
         let edges: Vec<Vec<u32>> = strip.steps.iter().map(|step| self.touched[step.index].clone()).collect();
         let mut reported = BTreeSet::new();
-        let mut found: Vec<_> = passages(boundary, tree, &strip, &edges)
+        let mut found: Vec<_> = passages(boundary, tree, &strip, &edges, go_on)
             .into_iter()
             .map(|passage| (passage.step, passage.at, passage.solids))
             .collect();
-        for (step, edges) in strip.steps.iter().zip(&edges) {
+        for (step, edges) in strip.steps.iter().zip(&edges).take_while(|_| go_on()) {
             found.extend(
                 seam(boundary, tree, &step.curve, edges, tolerance)
                     .map(|(at, solids)| (step.index, at, solids)),

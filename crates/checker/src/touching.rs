@@ -23,7 +23,7 @@ use std::collections::HashMap;
 use traverse_geometry::Point;
 
 /// Most pairs of edges that are compared for one path.
-const PAIR_LIMIT: usize = 4_000_000;
+const PAIR_LIMIT: usize = 1_000_000;
 
 /// How near the joint of two steps, in reaches, a piece goes over from one to the other.
 const JOINT_REACHES: f64 = 2.0;
@@ -48,19 +48,20 @@ struct Piece {
     beside: Part,
 }
 
-/// Every passage of the strip; `edges` holds the edges within reach of each of its steps.
+/// Every passage of the strip, as long as `go_on` says so; `edges` holds the edges within reach of each of its steps.
 pub(crate) fn passages(
     boundary: &Boundary,
     tree: &BoundaryTree,
     strip: &Strip,
     edges: &[Vec<u32>],
+    go_on: &dyn Fn() -> bool,
 ) -> Vec<Passage> {
     let mut groups = Groups::default();
     let covered = covered_ends(boundary, tree, strip, edges);
     // The pieces of every edge along every step.
     let mut by_edge: HashMap<(usize, u32), Vec<usize>> = HashMap::new();
     let mut pairs = PAIR_LIMIT;
-    for (at, step_edges) in edges.iter().enumerate() {
+    for (at, step_edges) in edges.iter().enumerate().take_while(|_| go_on()) {
         let first = groups.pieces.len();
         for &edge in step_edges {
             add_pieces(boundary, strip, at, edge, &mut groups);

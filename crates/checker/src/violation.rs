@@ -16,7 +16,7 @@ pub struct Violation {
     pub amount: f64,
     /// Where it is worst, if it has a place.
     pub at: Option<Point>,
-    /// Id of the obstacle concerned, or [`crate::WORK_AREA_ID`].
+    /// Id of the obstacle concerned, or [`traverse_geometry::WORK_AREA_ID`].
     pub obstacle: Option<String>,
 }
 

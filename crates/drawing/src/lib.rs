@@ -26,15 +26,18 @@
 mod curve;
 mod drawing;
 mod dxf;
+mod dxf_out;
 mod error;
 mod finding;
 mod forest;
+mod gcode;
 mod joining;
 mod monotone;
 mod obstacles;
 mod options;
 mod pattern;
 mod picture;
+mod profile;
 mod roles;
 mod scene_from_drawing;
 mod scene_report;
@@ -45,13 +48,22 @@ mod work_area;
 pub use curve::Curve;
 pub use drawing::{Drawing, Layer};
 pub use dxf::{read_dxf, read_dxf_from};
+pub use dxf_out::{
+    DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, WORK_AREA_LAYER, write_dxf,
+};
 pub use error::ReadError;
 pub use finding::{DrawingFinding, Fault};
 pub use forest::Forest;
+pub use gcode::{
+    ArcMotion, GcodeDialect, GcodeError, GcodeMoves, GcodePlane, GcodeProgram, GcodeSettings, GcodeUnit,
+    LARGEST_CHORD_TOLERANCE_MM, ModalMotion, ModalState, SMALLEST_CHORD_TOLERANCE_MM, SettingFinding,
+    StraightMotion, XWord, chords_outside, gcode_moves, write_gcode,
+};
 pub use joining::{JOIN_TOLERANCE_MM, Joined, Loop, join_loops};
 pub use options::ReadOptions;
 pub use pattern::LayerPattern;
 pub use picture::{Shown, picture_of_plan};
+pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles};
 pub use roles::{Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};
 pub use scene_report::{LayerRole, LayerUse, SceneError, SceneFromDrawing, SceneReport};

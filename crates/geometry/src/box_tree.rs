@@ -10,14 +10,19 @@ use std::ops::ControlFlow;
 /// Boxes in one leaf.
 const LEAF_SIZE: usize = 8;
 
-/// What a search may still spend, counted in box tests.
-pub(crate) struct Work {
+/// Units of work between two questions whether to go on: well under a millisecond.
+const UNITS_PER_QUESTION: u64 = 1 << 14;
+
+/// What a search may still spend, counted in box tests, as long as its caller wants it to go on.
+pub(crate) struct Work<'a> {
     left: u64,
+    ask_at: u64,
+    go_on: &'a dyn Fn() -> bool,
 }
 
-impl Work {
-    pub(crate) fn new(limit: u64) -> Self {
-        Self { left: limit }
+impl<'a> Work<'a> {
+    pub(crate) fn new(limit: u64, go_on: &'a dyn Fn() -> bool) -> Self {
+        Self { left: limit, ask_at: limit, go_on }
     }
 
     /// Spends `units`; breaks when they are not there.
@@ -28,10 +33,17 @@ impl Work {
             return ControlFlow::Break(());
         }
         self.left -= units;
+        if self.left <= self.ask_at {
+            self.ask_at = self.left.saturating_sub(UNITS_PER_QUESTION);
+            if !(self.go_on)() {
+                self.left = 0;
+                return ControlFlow::Break(());
+            }
+        }
         ControlFlow::Continue(())
     }
 
-    /// Whether a search was broken off for want of work.
+    /// Whether a search was broken off: for want of work, or because nobody wants it any more.
     pub(crate) fn is_spent(&self) -> bool {
         self.left == 0
     }
@@ -68,8 +80,8 @@ impl BoxTree {
     /// is spent.
     pub(crate) fn pairs(
         &self,
-        work: &mut Work,
-        visit: &mut dyn FnMut(&mut Work, usize, usize) -> ControlFlow<()>,
+        work: &mut Work<'_>,
+        visit: &mut dyn FnMut(&mut Work<'_>, usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         if self.nodes.is_empty() { ControlFlow::Continue(()) } else { self.within(0, work, visit) }
     }
@@ -77,8 +89,8 @@ impl BoxTree {
     fn within(
         &self,
         node: usize,
-        work: &mut Work,
-        visit: &mut dyn FnMut(&mut Work, usize, usize) -> ControlFlow<()>,
+        work: &mut Work<'_>,
+        visit: &mut dyn FnMut(&mut Work<'_>, usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let Node { first, last, right, .. } = self.nodes[node];
         match right {
@@ -102,8 +114,8 @@ impl BoxTree {
         &self,
         a: usize,
         b: usize,
-        work: &mut Work,
-        visit: &mut dyn FnMut(&mut Work, usize, usize) -> ControlFlow<()>,
+        work: &mut Work<'_>,
+        visit: &mut dyn FnMut(&mut Work<'_>, usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         work.spend(1)?;
         let (left, right) = (&self.nodes[a], &self.nodes[b]);
@@ -138,8 +150,8 @@ impl BoxTree {
         &self,
         a: usize,
         b: usize,
-        work: &mut Work,
-        visit: &mut dyn FnMut(&mut Work, usize, usize) -> ControlFlow<()>,
+        work: &mut Work<'_>,
+        visit: &mut dyn FnMut(&mut Work<'_>, usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         work.spend(1)?;
         if self.boxes[a].meets(&self.boxes[b]) {
@@ -153,7 +165,7 @@ impl BoxTree {
     pub(crate) fn meeting(
         &self,
         target: &Bounds,
-        work: &mut Work,
+        work: &mut Work<'_>,
         visit: &mut dyn FnMut(usize),
     ) -> ControlFlow<()> {
         let mut open = vec![0];
@@ -215,7 +227,7 @@ mod tests {
         #[test]
         fn every_meeting_pair_comes_once(boxes in boxes()) {
             let mut found = Vec::new();
-            let done = BoxTree::new(&boxes).pairs(&mut Work::new(u64::MAX), &mut |_, a, b| {
+            let done = BoxTree::new(&boxes).pairs(&mut Work::new(u64::MAX, &|| true), &mut |_, a, b| {
                 found.push((a.min(b), a.max(b)));
                 ControlFlow::Continue(())
             });
@@ -230,7 +242,7 @@ mod tests {
         fn every_box_at_a_target_comes_once(boxes in boxes()) {
             let target = Bounds::of([Point::new(10.0, 10.0), Point::new(20.0, 14.0)]);
             let mut found = Vec::new();
-            let done = BoxTree::new(&boxes).meeting(&target, &mut Work::new(u64::MAX), &mut |i| found.push(i));
+            let done = BoxTree::new(&boxes).meeting(&target, &mut Work::new(u64::MAX, &|| true), &mut |i| found.push(i));
             prop_assert!(done.is_continue());
             found.sort_unstable();
             let expected: Vec<_> = (0..boxes.len()).filter(|&i| boxes[i].meets(&target)).collect();
@@ -241,8 +253,21 @@ mod tests {
     #[test]
     fn spent_work_breaks_off() {
         let same = vec![Bounds::of([Point::origin()]); 1000];
-        let mut work = Work::new(1000);
+        let mut work = Work::new(1000, &|| true);
         assert!(BoxTree::new(&same).pairs(&mut work, &mut |_, _, _| ControlFlow::Continue(())).is_break());
         assert!(work.is_spent());
+    }
+
+    #[test]
+    fn a_search_that_nobody_wants_breaks_off() {
+        let same = vec![Bounds::of([Point::origin()]); 1000];
+        let mut work = Work::new(u64::MAX, &|| false);
+        let mut seen = 0;
+        let outcome = BoxTree::new(&same).pairs(&mut work, &mut |_, _, _| {
+            seen += 1;
+            ControlFlow::Continue(())
+        });
+        assert!(outcome.is_break() && work.is_spent());
+        assert_eq!(seen, 0);
     }
 }

@@ -35,7 +35,7 @@ impl Visit {
 
 /// Whether the chains of visits `a` and `b` pass through each other at `p` or along the way that they share from
 /// there. All edges at both visits are straight. A shared way counts at one of its ends only.
-pub(crate) fn pass_through(loops: &Loops, p: Point, a: Visit, b: Visit, work: &mut Work) -> bool {
+pub(crate) fn pass_through(loops: &Loops, p: Point, a: Visit, b: Visit, work: &mut Work<'_>) -> bool {
     let (a_back, a_ahead) = (a.back(loops), a.ahead(loops));
     let (b_back, b_ahead) = (b.back(loops), b.ahead(loops));
     if same_ray(p, a_back, a_ahead) || same_ray(p, b_back, b_ahead) {
@@ -64,7 +64,7 @@ enum Sense {
 
 /// Whether `b` leaves the way that it shares with `a` from `start` on, in the direction of `a`, to the other side of
 /// `a` than it has at `start`. A way that ends in an antenna has no sides.
-fn parts_across(loops: &Loops, start: Point, a: Visit, b: Visit, sense: Sense, work: &mut Work) -> bool {
+fn parts_across(loops: &Loops, start: Point, a: Visit, b: Visit, sense: Sense, work: &mut Work<'_>) -> bool {
     // Where an edge of `b` leads to, and what follows it, in the direction of `a`.
     let b_target = |edge: usize| if sense == Sense::Along { loops.next(edge) } else { edge };
     let b_after = |vertex: usize| if sense == Sense::Along { vertex } else { loops.previous(vertex) };

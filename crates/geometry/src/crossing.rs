@@ -54,15 +54,15 @@ pub(crate) struct Crossings {
 }
 
 impl Crossings {
-    /// Every crossing `between` rings.
-    pub(crate) fn of(loops: &Loops, between: Between) -> Self {
+    /// Every crossing `between` rings, as long as `go_on` says so.
+    pub(crate) fn of(loops: &Loops, between: Between, go_on: &dyn Fn() -> bool) -> Self {
         let direction = loops.main_direction();
         let margin = if loops.has_arcs() { CONTACT_TOLERANCE_MM } else { BOX_MARGIN_MM };
         let boxes: Vec<_> = (0..loops.len()).map(|k| loops.bounds_along(k, direction, margin)).collect();
         let tree = BoxTree::new(&boxes);
         drop(boxes);
         let mut crossings = Self::default();
-        let mut work = Work::new(CROSSING_WORK_LIMIT);
+        let mut work = Work::new(CROSSING_WORK_LIMIT, go_on);
         let outcome = tree.pairs(&mut work, &mut |work, a, b| {
             if (loops.chain(a) == loops.chain(b)) != (between == Between::OneRing) {
                 return ControlFlow::Continue(());
@@ -85,7 +85,7 @@ impl Crossings {
     }
 
     /// Where the chains of two edges cross on them; notes contact on the way.
-    fn look_at(&mut self, loops: &Loops, a: usize, b: usize, work: &mut Work) -> Option<Point> {
+    fn look_at(&mut self, loops: &Loops, a: usize, b: usize, work: &mut Work<'_>) -> Option<Point> {
         if loops.is_straight(a) && loops.is_straight(b) {
             self.look_at_straight(loops, a, b, work)
         } else {
@@ -93,7 +93,7 @@ impl Crossings {
         }
     }
 
-    fn look_at_straight(&mut self, loops: &Loops, a: usize, b: usize, work: &mut Work) -> Option<Point> {
+    fn look_at_straight(&mut self, loops: &Loops, a: usize, b: usize, work: &mut Work<'_>) -> Option<Point> {
         use Orientation::Straight;
         let (p, q) = (loops.vertex(a), loops.vertex(loops.next(a)));
         let (r, s) = (loops.vertex(b), loops.vertex(loops.next(b)));
@@ -169,7 +169,7 @@ impl Crossings {
     }
 }
 
-fn chains_cross(loops: &Loops, at: Point, a: Visit, b: Visit, work: &mut Work) -> bool {
+fn chains_cross(loops: &Loops, at: Point, a: Visit, b: Visit, work: &mut Work<'_>) -> bool {
     let straight = |visit: Visit| loops.is_straight(visit.edge) && loops.is_straight(visit.incoming(loops));
     if straight(a) && straight(b) {
         pass_through(loops, at, a, b, work)

@@ -22,13 +22,25 @@ impl Polygon {
     /// are relative to the polygon's message: `holes[1]`, or `holes`. Edges are counted in the rings as they are
     /// after validation, equal vertices dropped.
     pub fn new(outer: Ring, holes: Vec<Ring>) -> Result<Self, Vec<Finding>> {
+        Self::new_while(outer, holes, &|| true)
+    }
+
+    /// As [`Polygon::new`], given up when `go_on`, asked every millisecond or so, says no.
+    ///
+    /// # Errors
+    /// As [`Polygon::new`]; when given up, something that may be wrong or not.
+    pub fn new_while(
+        outer: Ring,
+        holes: Vec<Ring>,
+        go_on: &dyn Fn() -> bool,
+    ) -> Result<Self, Vec<Finding>> {
         if holes.is_empty() {
             return Ok(Self::trusted(outer, holes));
         }
         let mut findings = FindingList::default();
         let mut crossed = vec![false; holes.len()];
-        report_crossings(&outer, &holes, &mut crossed, &mut findings);
-        let mut work = Work::new(CROSSING_WORK_LIMIT);
+        report_crossings(&outer, &holes, &mut crossed, &mut findings, go_on);
+        let mut work = Work::new(CROSSING_WORK_LIMIT, go_on);
         let outside = holes_outside(&outer, &holes, &crossed, &mut work, &mut findings);
         let nested = outside.and_then(|()| holes_in_holes(&holes, &crossed, &mut work, &mut findings));
         if nested.is_none() {
@@ -54,10 +66,16 @@ fn too_much_work(holes: usize) -> Finding {
     Finding::new("holes", Reason::TooMany, holes, message)
 }
 
-fn report_crossings(outer: &Ring, holes: &[Ring], crossed: &mut [bool], findings: &mut FindingList) {
+fn report_crossings(
+    outer: &Ring,
+    holes: &[Ring],
+    crossed: &mut [bool],
+    findings: &mut FindingList,
+    go_on: &dyn Fn() -> bool,
+) {
     let rings = std::iter::once(outer).chain(holes);
     let loops = Loops::new(rings.map(|ring| (ring.vertices(), ring.bulges())));
-    let crossings = Crossings::of(&loops, Between::Rings);
+    let crossings = Crossings::of(&loops, Between::Rings, go_on);
     for Crossing { edges: (a, b), at } in crossings.found {
         let hole = loops.chain(b) - 1;
         crossed[hole] = true;
@@ -93,7 +111,7 @@ fn holes_outside(
     outer: &Ring,
     holes: &[Ring],
     crossed: &[bool],
-    work: &mut Work,
+    work: &mut Work<'_>,
     findings: &mut FindingList,
 ) -> Option<()> {
     let index = RingIndex::new(outer);
@@ -117,7 +135,7 @@ fn holes_outside(
 fn holes_in_holes(
     holes: &[Ring],
     crossed: &[bool],
-    work: &mut Work,
+    work: &mut Work<'_>,
     findings: &mut FindingList,
 ) -> Option<()> {
     let bounds: Vec<_> = holes.iter().map(|hole| hole.bounds().grown(CONTACT_TOLERANCE_MM)).collect();
@@ -163,7 +181,7 @@ fn holes_in_holes(
 }
 
 /// Whether `ring`, which does not cross the other one, lies inside it. None: the work is spent.
-fn lies_inside(ring: &Ring, other: &RingIndex<'_>, work: &mut Work) -> Option<bool> {
+fn lies_inside(ring: &Ring, other: &RingIndex<'_>, work: &mut Work<'_>) -> Option<bool> {
     for &vertex in ring.vertices() {
         match other.locate(vertex, work)? {
             Location::Border => {}
@@ -186,7 +204,7 @@ fn lies_inside(ring: &Ring, other: &RingIndex<'_>, work: &mut Work) -> Option<bo
 }
 
 /// A point strictly inside `ring`, next to the middle of its longest edge; that middle when rounding leaves no room.
-fn inner_point(ring: &Ring, work: &mut Work) -> Option<Point> {
+fn inner_point(ring: &Ring, work: &mut Work<'_>) -> Option<Point> {
     let longest = ring.edges().max_by(|a, b| a.length().total_cmp(&b.length()));
     let edge = longest.unwrap_or_else(|| ring.edge(0));
     let (middle, normal) = (edge.point_at(0.5), crate::left_of(edge.direction_at(0.5)));
@@ -203,7 +221,7 @@ fn inner_point(ring: &Ring, work: &mut Work) -> Option<Point> {
     Some(middle)
 }
 
-fn spend(work: &mut Work, edges: usize) -> Option<()> {
+fn spend(work: &mut Work<'_>, edges: usize) -> Option<()> {
     work.spend(edges as u64).is_continue().then_some(())
 }
 

@@ -22,7 +22,7 @@ impl<'a> RingIndex<'a> {
     }
 
     /// As [`Ring::locate`]; nothing when the work is spent.
-    pub(crate) fn locate(&self, p: Point, work: &mut Work) -> Option<Location> {
+    pub(crate) fn locate(&self, p: Point, work: &mut Work<'_>) -> Option<Location> {
         let ray = Bounds { min: p, max: Point::new(f64::INFINITY, p.y) };
         let mut winding = Winding::around(p);
         match self.tree.meeting(&ray, work, &mut |i| winding.pass_edge(self.ring, i)) {
@@ -32,7 +32,7 @@ impl<'a> RingIndex<'a> {
     }
 
     /// Whether `p` lies further from the ring than touching explains; nothing when the work is spent.
-    pub(crate) fn is_clear(&self, p: Point, work: &mut Work) -> Option<bool> {
+    pub(crate) fn is_clear(&self, p: Point, work: &mut Work<'_>) -> Option<bool> {
         let near = Bounds::of([p]).grown(CONTACT_TOLERANCE_MM);
         let mut clear = true;
         let outcome = self.tree.meeting(&near, work, &mut |i| {

@@ -20,7 +20,7 @@ impl Ring {
     /// are relative to the ring's message: `xy_mm`, `xy_mm[4]`, `bulges`, `bulges[2]`. Edges carry the number of the
     /// vertex from which they run in the input. Crossings are looked for when every number is good.
     pub fn new(vertices: Vec<Point>, bulges: Vec<f64>) -> Result<Self, Vec<Finding>> {
-        validated(ChainInput::from_vertices(vertices, bulges, Closure::Closed))
+        validated(ChainInput::from_vertices(vertices, bulges, Closure::Closed), &|| true)
     }
 
     /// A ring from x0, y0, x1, y1, … as they are on the wire; otherwise as [`Ring::new`].
@@ -28,11 +28,23 @@ impl Ring {
     /// # Errors
     /// As [`Ring::new`], and an odd count of numbers.
     pub fn from_xy(xy_mm: &[f64], bulges: &[f64]) -> Result<Self, Vec<Finding>> {
-        validated(ChainInput::from_xy(xy_mm, bulges, Closure::Closed))
+        Self::from_xy_while(xy_mm, bulges, &|| true)
+    }
+
+    /// As [`Ring::from_xy`], given up when `go_on`, asked every millisecond or so, says no.
+    ///
+    /// # Errors
+    /// As [`Ring::from_xy`]; when given up, something that may be wrong or not.
+    pub fn from_xy_while(
+        xy_mm: &[f64],
+        bulges: &[f64],
+        go_on: &dyn Fn() -> bool,
+    ) -> Result<Self, Vec<Finding>> {
+        validated(ChainInput::from_xy(xy_mm, bulges, Closure::Closed), go_on)
     }
 }
 
-fn validated(mut input: ChainInput) -> Result<Ring, Vec<Finding>> {
+fn validated(mut input: ChainInput, go_on: &dyn Fn() -> bool) -> Result<Ring, Vec<Finding>> {
     let (count, needed) = (input.vertices.len(), if input.bulges.is_empty() { 3 } else { 2 });
     if input.is_placed() && count < needed {
         input.findings.push(|| {
@@ -47,13 +59,15 @@ fn validated(mut input: ChainInput) -> Result<Ring, Vec<Finding>> {
         return Err(input.findings.into_findings("xy_mm"));
     }
     let loops = Loops::new(std::iter::once((input.vertices.as_slice(), input.bulges.as_slice())));
-    if encloses_nothing((0..loops.len()).map(|k| loops.edge(k))) {
+    let no_area = encloses_nothing((0..loops.len()).map(|k| loops.edge(k)));
+    let crossings = Crossings::of(&loops, Between::OneRing, go_on);
+    drop(loops);
+    if no_area && crossings.found.is_empty() {
+        // Where the ring crosses itself, that is why its lobes cancel out.
         let message =
             "the ring encloses no area; send an open chain as a line, not as a ring, or leave it out";
         return Err(vec![Finding::new("xy_mm", Reason::NoArea, 0, message)]);
     }
-    let crossings = Crossings::of(&loops, Between::OneRing);
-    drop(loops);
     report(&crossings, &mut input);
     if input.findings.is_empty() {
         Ok(Ring::trusted(input.vertices, input.bulges, crossings.contact))

@@ -1,4 +1,4 @@
-"""Circular edges: between a bulge, as DXF and the service's rings have it, and centre and sweep, as G2 and G3 have it."""
+"""Circular edges: a bulge in DXF and in the service's rings, centre and sweep in G2, G3 and in plans."""
 
 from __future__ import annotations
 
@@ -32,7 +32,9 @@ class Arc:
         return Arc(center, bulge < 0, 4 * math.atan(abs(bulge)))
 
     @staticmethod
-    def about(start: tuple[float, float], end: tuple[float, float], center: tuple[float, float], clockwise: bool) -> Arc:
+    def about(
+        start: tuple[float, float], end: tuple[float, float], center: tuple[float, float], clockwise: bool
+    ) -> Arc:
         """The arc about ``center`` as G2 (clockwise) or G3 says it; equal ends make a full circle."""
         (x, y) = center
         turn = math.atan2(end[1] - y, end[0] - x) - math.atan2(start[1] - y, start[0] - x)

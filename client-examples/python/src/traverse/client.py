@@ -32,6 +32,7 @@ _CHANNEL_OPTIONS = [
 ]
 
 _EFFORT = Effort()
+_RETRY = Retry()
 
 
 class Client:
@@ -40,7 +41,7 @@ class Client:
     Safe to use from several threads. Close it, or use it in a ``with`` statement.
     """
 
-    def __init__(self, address: str = "localhost:50051", *, deadline: float = 30.0, retry: Retry = Retry()) -> None:
+    def __init__(self, address: str = "localhost:50051", *, deadline: float = 30.0, retry: Retry = _RETRY) -> None:
         """A client of the server at ``address``: ``host:port``, ``http://host:port``, or ``https://host:port`` for TLS.
 
         deadline: seconds that a call may take, all tries included; the server stops by itself shortly before.
@@ -98,7 +99,7 @@ class Client:
         effort: Effort = _EFFORT,
         deadline: float | None = None,
     ) -> None:
-        """Only looks for faults in the request, ends inside barriers included; raises RequestRefused with all of them."""
+        """Only looks for faults in the request, ends inside barriers included: raises RequestRefused with all."""
         request = wire.request_message(scene, start, target, effort, validate_only=True)
         self._call("PlanRapidMove", request, rapid_pb2.PlanRapidMoveResponse, deadline)
 

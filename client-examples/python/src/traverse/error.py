@@ -22,7 +22,7 @@ class Finding:
 
 
 class CallFailed(Exception):
-    """A call that can't be understood or served. Programs go by ``code`` and ``reason``; docs/errors.md explains each."""
+    """A call that can't be understood or served. Programs go by ``code`` and ``reason``, as in docs/errors.md."""
 
     def __init__(
         self,
@@ -61,4 +61,4 @@ class ServerUnavailable(CallFailed):
 
 
 class ServerBusy(CallFailed):
-    """A queue, a size or an iteration limit is used up; ``retry_after`` is set where waiting helps. RESOURCE_EXHAUSTED."""
+    """A queue, size or iteration limit is used up; ``retry_after`` says when waiting helps. RESOURCE_EXHAUSTED."""

@@ -48,7 +48,9 @@ def picture(
         shapes.append(f'<path class="path" d="{frame.outline(path)}"><title>{path.length_mm:.3f} mm</title></path>')
     for kind, end in ends:
         x, y = frame.px(end)
-        shapes.append(f'<circle class="{kind}" cx="{x}" cy="{y}" r="4"><title>{kind} {end[0]:g}, {end[1]:g}</title></circle>')
+        shapes.append(
+            f'<circle class="{kind}" cx="{x}" cy="{y}" r="4"><title>{kind} {end[0]:g}, {end[1]:g}</title></circle>'
+        )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{frame.width:.0f}" height="{frame.height:.0f}" '
         f'viewBox="0 0 {frame.width:.2f} {frame.height:.2f}"><style>{_STYLE}</style>{"".join(shapes)}</svg>'
@@ -93,9 +95,7 @@ class _Frame:
         return f'<path class="{kind}" d="{data}"><title>{escape(title)}</title></path>'
 
 
-def _extent(
-    scene: Scene, path: Path | None, ends: list[tuple[float, float]]
-) -> tuple[float, float, float, float]:
+def _extent(scene: Scene, path: Path | None, ends: list[tuple[float, float]]) -> tuple[float, float, float, float]:
     """Left, bottom, right, top of all there is to see."""
     rings: list[Ring] = [obstacle.polygon.outer for obstacle in scene.obstacles]
     if scene.work_area_polygon is not None:

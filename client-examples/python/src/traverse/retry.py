@@ -44,5 +44,5 @@ class Retry:
             time.sleep(pause)
 
     def pause(self, tried: int) -> float:
-        """Seconds to wait after so many tries: a random part of the pause, so that clients do not come back together."""
+        """Seconds to wait after so many tries: with jitter, so that clients do not come back together."""
         return min(self.first_pause * 2.0 ** (tried - 1), self.longest_pause) * random.uniform(0.5, 1.0)

@@ -1,4 +1,7 @@
 //! Paths that touch tightly, each vertex, centre and end shifted by ten tolerances to the wrong side: refused.
+//!
+//! Arcs here turn by 0.3 rad at least: on an arc that turns by less than about 0.1 rad, a centre shifted by ten
+//! tolerances moves the path itself by less than one, which is no violation.
 
 use crate::making::*;
 use proptest::prelude::*;
@@ -114,7 +117,7 @@ fn bends() -> impl Strategy<Value = (Point, f64)> {
 
 proptest! {
     #[test]
-    fn round_discs((at, angle) in bends(), radius in 0.5..20.0_f64, clearance in prop_oneof![Just(0.0), 0.01..10.0_f64], lean in 0.1..1.2_f64) {
+    fn round_discs((at, angle) in bends(), radius in 0.5..20.0_f64, clearance in prop_oneof![Just(0.0), 0.01..10.0_f64], lean in 0.4..1.2_f64) {
         let scene = scene(clearance, vec![disc(at.x, at.y, radius)]);
         let circles = [(at, radius + clearance)];
         let path = taut(at + unit(angle) * 80.0, &circles, at + unit(angle + PI + lean) * 90.0);

@@ -4,7 +4,8 @@ use crate::making::*;
 use traverse_checker::ViolationReason::{
     BetweenTouchingObstacles, InsideObstacle, OutsideWorkArea, TooClose,
 };
-use traverse_checker::{WORK_AREA_ID, check_rapid_move};
+use traverse_checker::check_rapid_move;
+use traverse_geometry::WORK_AREA_ID;
 use traverse_geometry::{Point, Scene};
 
 fn area(clearance_mm: f64) -> Scene {

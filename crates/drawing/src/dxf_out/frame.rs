@@ -102,24 +102,20 @@ fn header(groups: &mut Groups, bounds: Bounds) {
 
 fn viewport(groups: &mut Groups, bounds: Bounds) {
     table(groups, "VPORT", "AcDbViewportTableRecord", &["*Active"], |groups, _| {
+        let size = bounds.max - bounds.min;
         let pairs = [
             (10, Point::new(0.0, 0.0)),
             (11, Point::new(1.0, 1.0)),
-            (12, nalgebra_center(bounds)),
+            (12, bounds.min + size / 2.0),
         ];
         for (code, p) in pairs {
             groups.number(code, p.x);
             groups.number(code + 10, p.y);
         }
-        let size = bounds.max - bounds.min;
         // Tall enough for the width too, on a screen twice as wide as high.
         groups.number(40, (1.1 * size.y.max(size.x / 2.0)).max(1.0));
         groups.number(41, 2.0);
     });
-}
-
-fn nalgebra_center(bounds: Bounds) -> Point {
-    bounds.min + (bounds.max - bounds.min) / 2.0
 }
 
 /// Writes a table of named records; gives their handles.

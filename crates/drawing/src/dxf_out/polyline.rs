@@ -2,7 +2,7 @@
 
 use super::groups::Groups;
 use std::f64::consts::PI;
-use traverse_geometry::{Arc, Edge, Point};
+use traverse_geometry::{Edge, Point};
 
 /// Connected edges as one LWPOLYLINE; a closed one leaves out the last point.
 pub(crate) fn polyline(
@@ -22,7 +22,7 @@ pub(crate) fn polyline(
                 let bulge = (arc.sweep / 8.0).tan();
                 vertices.extend([(arc.start, bulge), (arc.point_at(0.5), bulge)]);
             }
-            Edge::Arc(arc) => vertices.push((arc.start, arc_bulge(&arc))),
+            Edge::Arc(arc) => vertices.push((arc.start, arc.bulge())),
         }
         end = Some(edge.end());
     }
@@ -40,8 +40,4 @@ pub(crate) fn polyline(
             groups.number(42, bulge);
         }
     }
-}
-
-fn arc_bulge(arc: &Arc) -> f64 {
-    arc.bulge()
 }

@@ -29,6 +29,11 @@ impl<'a> Reader<'a> {
         self.interrupt.is_none()
     }
 
+    /// Whether anybody still waits for the answer.
+    pub(crate) fn wanted(&self) -> bool {
+        self.budget.check(0).is_ok()
+    }
+
     pub(crate) fn report(&mut self, finding: Finding) {
         if self.findings.len() < KEPT_FINDINGS {
             self.findings.push(finding);

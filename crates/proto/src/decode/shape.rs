@@ -19,10 +19,13 @@ impl Reader<'_> {
             .map(|(index, hole)| self.ring(&format!("{field}.holes[{index}]"), Some(hole)))
             .collect();
         let holes: Option<Vec<Ring>> = holes.into_iter().collect();
-        match Polygon::new(outer?, holes?) {
+        match Polygon::new_while(outer?, holes?, &|| self.wanted()) {
             Ok(polygon) => Some(polygon),
             Err(findings) => {
-                self.report_under(field, findings);
+                // What was given up says nothing about the request.
+                if self.goes_on() {
+                    self.report_under(field, findings);
+                }
                 None
             }
         }
@@ -36,10 +39,13 @@ impl Reader<'_> {
             self.missing(field, "a ring with xy_mm");
             return None;
         };
-        match Ring::from_xy(&ring.xy_mm, &ring.bulges) {
+        match Ring::from_xy_while(&ring.xy_mm, &ring.bulges, &|| self.wanted()) {
             Ok(ring) => Some(ring),
             Err(findings) => {
-                self.report_under(field, findings);
+                // What was given up says nothing about the request.
+                if self.goes_on() {
+                    self.report_under(field, findings);
+                }
                 None
             }
         }

@@ -22,7 +22,8 @@ from ..path import Path, Step
 from ..point import Point
 
 ANNOTATIONS = frozenset(
-    {"TEXT", "MTEXT", "ATTRIB", "ATTDEF", "DIMENSION", "LEADER", "MULTILEADER", "MLEADER", "TOLERANCE", "POINT"}
+    "ARC_DIMENSION ATTDEF ATTRIB DIMENSION LARGE_RADIAL_DIMENSION LEADER LIGHT MLEADER MTEXT MULTILEADER POINT RAY "
+    "TEXT TOLERANCE VIEWPORT XLINE".split()
 )
 """Nothing that a tool could meet."""
 
@@ -40,12 +41,16 @@ def flat(
         layer = layer_of_block if layer == "0" and layer_of_block is not None else layer
         if isinstance(entity, Insert):
             for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
-                skipped: list[DXFEntity] = []
-                parts = insert.virtual_entities(skipped_entity_callback=lambda part, _: skipped.append(part))
-                yield from flat(parts, depth + 1, layer)
-                yield from ((layer, part) for part in skipped)
+                yield from flat(_parts(insert), depth + 1, layer)
         else:
             yield layer, entity
+
+
+def _parts(insert: Insert) -> Iterator[DXFEntity]:
+    """What the block holds, moved to its place; what can't be moved as it is, to be counted."""
+    skipped: list[DXFEntity] = []
+    yield from insert.virtual_entities(skipped_entity_callback=lambda part, _: skipped.append(part))
+    yield from skipped
 
 
 def path_of(entity: DXFEntity, scale: float, tolerance_mm: float) -> Path | None:

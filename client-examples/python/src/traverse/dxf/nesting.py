@@ -45,7 +45,7 @@ class _Outline:
 
 
 def nested(rings: list[Ring]) -> list[Polygon]:
-    """Shapes with their holes, in the order of the outer rings. Every pair is compared: meant for hundreds, not millions."""
+    """Shapes with their holes, in the order of the outer rings. Compares every pair: for hundreds of them."""
     outlines = [_Outline.of(ring) for ring in rings]
     around = [[i for i, outer in enumerate(outlines) if outer.holds(inner)] for inner in outlines]
     holes: dict[int, list[Ring]] = {i: [] for i, outer in enumerate(around) if len(outer) % 2 == 0}

@@ -45,13 +45,13 @@ def read_scene(
 ) -> SceneFromDxf:
     """Reads a scene: the layers WORK_AREA, WORKAREA or TABLE bound the work area, all others hold obstacles.
 
-    Outermost outlines of a layer are obstacles ``LAYER/1``, ``LAYER/2``, …, in the order in which they were drawn; outlines
-    directly inside are their holes.
+    Outermost outlines of a layer are obstacles ``LAYER/1``, ``LAYER/2``, …, in the order in which they were drawn;
+    outlines directly inside are their holes.
 
     join_mm: ends of lines that are no farther apart are joined.
     tolerance_mm: how far chords may leave splines and ellipses, to either side; circles and arcs stay exact.
-    Raises ValueError when the work area is not one outline or the unit is no length, ezdxf.DXFError and OSError when the
-    file can't be read.
+    Raises ValueError when the work area is not one outline or the unit is no length, ezdxf.DXFError and OSError when
+    the file can't be read.
     """
     document = ezdxf.filemanagement.readfile(file)
     layers, unused, annotations = _layers(document, tolerance_mm)

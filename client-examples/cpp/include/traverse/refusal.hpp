@@ -1,0 +1,55 @@
+// Why a call failed: a reason for programs, and every finding with its field. docs/errors.md explains each reason.
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <string>
+#include <vector>
+
+#include "error_details.pb.h"
+
+namespace traverse_client {
+
+// One thing that is wrong with a request.
+struct Finding {
+  std::string field;
+  std::string description;
+  std::string reason;
+};
+
+// What a status says.
+struct Refusal {
+  std::string reason;  // UPPER_SNAKE_CASE; empty when something else than Traverse answered
+  std::string message;
+  std::vector<Finding> findings;
+};
+
+namespace detail {
+
+// Whether `any` holds the message of that name; reads it into `message` then.
+template <typename Message>
+bool unpack(const google::protobuf::Any& any, const std::string& name, Message& message) {
+  const std::string& url = any.type_url();
+  return url.substr(url.find_last_of('/') + 1) == name && message.ParseFromString(any.value());
+}
+
+}  // namespace detail
+
+// Details that can't be read are left out.
+inline Refusal refusal(const grpc::Status& status) {
+  Refusal read;
+  read.message = status.error_message();
+  Status details;
+  if (!details.ParseFromString(status.error_details())) return read;
+  for (const google::protobuf::Any& any : details.details()) {
+    ErrorInfo info;
+    if (detail::unpack(any, "google.rpc.ErrorInfo", info)) read.reason = info.reason();
+    BadRequest request;
+    if (!detail::unpack(any, "google.rpc.BadRequest", request)) continue;
+    for (const auto& violation : request.field_violations())
+      read.findings.push_back({violation.field(), violation.description(), violation.reason()});
+  }
+  return read;
+}
+
+}  // namespace traverse_client

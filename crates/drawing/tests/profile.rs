@@ -1,0 +1,154 @@
+//! Profiles are read whole or refused with file, line, key and value.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use traverse_drawing::{
+    ArcMotion, GcodeDialect, GcodePlane, GcodeUnit, LayerPattern, PROFILE_BYTE_LIMIT, ProfileError, Profiles,
+    SceneOptions, StraightMotion, XWord,
+};
+use traverse_geometry::CornerStyle;
+
+const BOTH: &str = r#"
+[machine.plasma-2]
+clearance_mm = 3
+border_clearance_mm = 0.0
+corner_style = "miter"
+miter_limit = 4.0
+
+[machine.plasma-2.roles]
+work_area = ["TABLE*"]
+obstacles = ["CLAMPS", "PARTS_*"]
+
+[machine.plasma-2.speeds]
+arc_feed_mm_per_min = 6000
+
+[machine.plasma-2.gcode]
+dialect = "grbl"
+decimals = 4
+
+[machine."Lathe 1"]
+[machine."Lathe 1".speeds]
+straight_feed_mm_per_min = 9000.5
+[machine."Lathe 1".gcode]
+dialect = "fanuc"
+unit = "inch"
+plane = "G18"
+x_word = "diameter"
+straight = "G1"
+arcs = "chords"
+program_number = 17
+header = ["(LATHE 1)"]
+safe_start = []
+"#;
+
+fn read(text: &str) -> Result<Profiles, ProfileError> {
+    Profiles::read_from(text.as_bytes(), "shop.toml")
+}
+
+fn refused(text: &str) -> String {
+    read(text).unwrap_err().to_string()
+}
+
+#[test]
+fn machines_are_chosen_by_name() {
+    let profiles = read(BOTH).unwrap();
+    let plasma = profiles.machine("plasma-2").unwrap();
+    let mut options = SceneOptions::new(1.0);
+    plasma.apply_to(&mut options);
+    assert_eq!((options.clearance_mm, options.work_area_clearance_mm), (3.0, Some(0.0)));
+    assert_eq!(options.corner_style, CornerStyle::Miter { limit: Some(4.0) });
+    assert_eq!(options.roles.obstacles, ["CLAMPS", "PARTS_*"].map(LayerPattern::new));
+    assert_eq!(options.roles.work_area, [LayerPattern::new("TABLE*")]);
+    let gcode = plasma.gcode.as_ref().unwrap();
+    assert_eq!((gcode.dialect, gcode.decimals), (GcodeDialect::Grbl, Some(4)));
+    assert_eq!(gcode.arcs, ArcMotion::Fed { feed_mm_per_min: 6000.0 });
+
+    let lathe = profiles.machine("Lathe 1").unwrap();
+    let mut untouched = SceneOptions::new(1.0);
+    lathe.apply_to(&mut untouched);
+    assert_eq!(untouched, SceneOptions::new(1.0));
+    let gcode = lathe.gcode.as_ref().unwrap();
+    assert_eq!((gcode.unit, gcode.plane), (GcodeUnit::Inches, GcodePlane::Zx { x: XWord::Diameter }));
+    assert_eq!(gcode.straight, StraightMotion::Fed { feed_mm_per_min: 9000.5 });
+    assert_eq!(gcode.arcs, ArcMotion::Chords { tolerance_mm: 0.01 });
+    assert_eq!((gcode.program_number, gcode.safe_start.as_deref()), (17, Some(&[][..])));
+
+    let unknown = profiles.machine("plasma").unwrap_err().to_string();
+    assert_eq!(unknown, "shop.toml has no machine `plasma`; it has: Lathe 1, plasma-2");
+}
+
+#[test]
+fn unknown_keys_are_refused_with_line_and_known_names() {
+    for (text, expected) in [
+        (
+            "[machine.a]\nclearance = 2\n",
+            "shop.toml:2: machine.a.clearance: unknown field `clearance`, expected one of `clearance_mm`, \
+             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`",
+        ),
+        (
+            "[machine.a.roles]\nobstacles = [\"*\"]\npart = [\"P\"]\n",
+            "shop.toml:3: machine.a.roles.part: unknown field `part`, expected `work_area` or `obstacles`",
+        ),
+        (
+            "[machine.a.gcode]\nunit = \"cm\"\n",
+            "shop.toml:2: machine.a.gcode.unit: unknown variant `cm`, expected `mm` or `inch`",
+        ),
+    ] {
+        assert_eq!(refused(text), expected);
+    }
+    assert!(refused("machine.a.clearance_mm = \"2\"").starts_with("shop.toml:1: machine.a.clearance_mm: "));
+    assert!(refused("\n[machine.a\n").starts_with("shop.toml:2: "));
+    assert!(refused("").contains("missing field `machine`"));
+    assert!(refused("[machine.a]\n[machine.a]\n").contains("duplicate"));
+}
+
+#[test]
+fn values_out_of_range_are_reported_all_at_once() {
+    let findings = refused(
+        "[machine.a]\nclearance_mm = -1\nborder_clearance_mm = nan\nmiter_limit = 0.5\n\
+         [machine.a.roles]\nobstacles = []\nwork_area = [\"\"]\n\
+         [machine.a.speeds]\narc_feed_mm_per_min = 0\n\
+         [machine.a.gcode]\nx_word = \"radius\"\ndecimals = 7\nstraight = \"G1\"\nchord_tolerance_mm = 1\n\
+         program_number = 2\nheader = [\"(\"]\n",
+    );
+    let lines: Vec<&str> = findings.lines().collect();
+    for (line, expected) in [
+        "2: machine.a.clearance_mm: -1 ",
+        "3: machine.a.border_clearance_mm: NaN ",
+        "4: machine.a.miter_limit: has no effect",
+        "4: machine.a.miter_limit: 0.5 is no ratio",
+        "6: machine.a.roles.obstacles: the list is empty",
+        "7: machine.a.roles.work_area: a pattern is empty",
+        "9: machine.a.speeds.arc_feed_mm_per_min: is 0: use 1 to",
+        "10: machine.a.speeds.straight_feed_mm_per_min: is missing",
+        "11: machine.a.gcode.x_word: has no effect in G17",
+        "12: machine.a.gcode.decimals: is 7: linuxcnc takes 1 to 6",
+        "14: machine.a.gcode.chord_tolerance_mm: has no effect",
+        "15: machine.a.gcode.program_number: only Fanuc",
+        "16: machine.a.gcode.header: is `(`: the comment is not closed",
+    ]
+    .iter()
+    .enumerate()
+    {
+        assert!(lines[line].starts_with(&format!("shop.toml:{expected}")), "{findings}");
+    }
+    assert_eq!(lines.len(), 13, "{findings}");
+}
+
+#[test]
+fn hostile_files_are_bounded() {
+    let long = "#".repeat(PROFILE_BYTE_LIMIT as usize + 1);
+    assert!(matches!(read(&long), Err(ProfileError::TooLong { .. })));
+    let endless = std::io::repeat(b'[');
+    assert!(matches!(Profiles::read_from(endless, "x"), Err(ProfileError::TooLong { .. })));
+    let deep = format!("machine = {}", "[".repeat(200_000));
+    assert!(matches!(read(&deep), Err(ProfileError::Findings { .. })));
+    let dotted = format!("machine{} = 1", ".a".repeat(100_000));
+    assert!(matches!(read(&dotted), Err(ProfileError::Findings { .. })));
+    let not_text = Profiles::read_from(&b"[machine.a]\n# \xff\n"[..], "x").unwrap_err();
+    assert!(matches!(not_text, ProfileError::NotUtf8 { line: 2, .. }));
+    assert!(read("\u{feff}[machine.a]\r\nclearance_mm = 1\r\n").is_ok());
+    for length in 0..BOTH.len() {
+        let _ = read(&BOTH[..length]);
+    }
+}
