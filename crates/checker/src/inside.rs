@@ -91,7 +91,7 @@ mod tests {
             corner_style: CornerStyle::Round,
         };
         let boundary = Boundary::of(&scene);
-        let tree = BoundaryTree::over(&boundary);
+        let tree = BoundaryTree::over(&boundary, &|| true).unwrap();
         for i in -80..80 {
             for j in -80..80 {
                 let p = Point::new(f64::from(i) / 10.0, f64::from(j) / 10.0);

@@ -46,5 +46,6 @@ mod violation;
 
 pub use rapid_check::{
     PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
+    check_rapid_move_while,
 };
 pub use violation::{Violation, ViolationReason};

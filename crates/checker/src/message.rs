@@ -1,6 +1,6 @@
 //! Wording of violations.
 
-use traverse_geometry::Scene;
+use traverse_geometry::{Scene, WORK_AREA_ID};
 
 /// A length for people: up to nine decimals, no trailing zeros.
 pub(crate) fn millimetres(length: f64) -> String {

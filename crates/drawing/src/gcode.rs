@@ -22,7 +22,7 @@ pub use error::GcodeError;
 pub use moves::{GcodeMoves, ModalMotion, ModalState, gcode_moves};
 pub use program::{GcodeProgram, write_gcode};
 pub use settings::{
-    ArcMotion, GcodePlane, GcodeSettings, GcodeUnit, LARGEST_CHORD_TOLERANCE_MM,
-    SMALLEST_CHORD_TOLERANCE_MM, StraightMotion, XWord,
+    ArcMotion, GcodePlane, GcodeSettings, GcodeUnit, LARGEST_CHORD_TOLERANCE_MM, SMALLEST_CHORD_TOLERANCE_MM,
+    StraightMotion, XWord,
 };
 pub use settings_check::SettingFinding;

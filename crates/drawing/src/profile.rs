@@ -99,10 +99,10 @@ impl Profiles {
     /// mistakes and unknown keys are reported one at a time, values out of range all at once.
     pub fn read_from(reader: impl Read, file: &str) -> Result<Self, ProfileError> {
         let mut bytes = Vec::new();
-        reader.take(PROFILE_BYTE_LIMIT + 1).read_to_end(&mut bytes).map_err(|error| ProfileError::Io {
-            file: file.to_owned(),
-            message: error.to_string(),
-        })?;
+        reader
+            .take(PROFILE_BYTE_LIMIT + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|error| ProfileError::Io { file: file.to_owned(), message: error.to_string() })?;
         if bytes.len() as u64 > PROFILE_BYTE_LIMIT {
             return Err(ProfileError::TooLong { file: file.to_owned(), limit: PROFILE_BYTE_LIMIT });
         }
@@ -116,8 +116,7 @@ impl Profiles {
     fn from_toml(text: &str, file: &str) -> Result<Self, ProfileError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let read = raw::read(text).and_then(|raw| convert::machines(raw, text));
-        let machines =
-            read.map_err(|findings| ProfileError::Findings { file: file.to_owned(), findings })?;
+        let machines = read.map_err(|findings| ProfileError::Findings { file: file.to_owned(), findings })?;
         Ok(Self { file: file.to_owned(), machines })
     }
 

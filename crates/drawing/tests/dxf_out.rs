@@ -7,8 +7,8 @@ mod random;
 use random::Random;
 use std::f64::consts::TAU;
 use traverse_drawing::{
-    DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, ReadOptions, WORK_AREA_LAYER, join_loops, read_dxf,
-    write_dxf,
+    DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, ReadOptions, WORK_AREA_LAYER, join_loops,
+    read_dxf, write_dxf,
 };
 use traverse_geometry::{CornerStyle, Obstacle, Path, Point, Polygon, Ring, Scene, unit};
 
@@ -30,9 +30,8 @@ fn random_path(random: &mut Random, arcs: bool) -> Path {
 }
 
 fn scene() -> Scene {
-    let square = |low: f64, high: f64| {
-        Ring::from_xy(&[low, low, high, low, high, high, low, high], &[]).unwrap()
-    };
+    let square =
+        |low: f64, high: f64| Ring::from_xy(&[low, low, high, low, high, high, low, high], &[]).unwrap();
     let disc = Ring::from_xy(&[40.1, 50.0, 60.3, 50.0], &[1.0, 1.0]).unwrap();
     let with_hole = Polygon::new(square(70.0, 95.0), vec![square(75.0, 90.0)]).unwrap();
     let obstacle = |id: &str, shape| Obstacle { id: id.to_owned(), shape, clearance_mm: None };

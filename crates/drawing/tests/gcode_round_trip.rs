@@ -8,8 +8,8 @@ use gcode_reader::{Controller, Move, Rules, distance};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 use traverse_drawing::{
-    ArcMotion, GcodeDialect, GcodePlane, GcodeSettings, GcodeUnit, ModalMotion, ModalState, StraightMotion, XWord,
-    gcode_moves, write_gcode,
+    ArcMotion, GcodeDialect, GcodePlane, GcodeSettings, GcodeUnit, ModalMotion, ModalState, StraightMotion,
+    XWord, gcode_moves, write_gcode,
 };
 use traverse_geometry::{Path, Point, unit};
 
@@ -110,10 +110,8 @@ fn settings() -> impl Strategy<Value = GcodeSettings> {
         GcodePlane::Zx { x: XWord::Radius },
         GcodePlane::Zx { x: XWord::Diameter },
     ]);
-    let straight = prop::sample::select(vec![
-        StraightMotion::Rapid,
-        StraightMotion::Fed { feed_mm_per_min: 9000.0 },
-    ]);
+    let straight =
+        prop::sample::select(vec![StraightMotion::Rapid, StraightMotion::Fed { feed_mm_per_min: 9000.0 }]);
     (dialect, in_unit, plane, straight).prop_map(|(dialect, unit, plane, straight)| {
         let plane = if dialect == GcodeDialect::Grbl && plane != GcodePlane::Xy {
             GcodePlane::Zx { x: XWord::Radius }

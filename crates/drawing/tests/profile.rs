@@ -83,15 +83,16 @@ fn unknown_keys_are_refused_with_line_and_known_names() {
         (
             "[machine.a]\nclearance = 2\n",
             "shop.toml:2: machine.a.clearance: unknown field `clearance`, expected one of `clearance_mm`, \
-             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`",
+             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`; correct this line",
         ),
         (
             "[machine.a.roles]\nobstacles = [\"*\"]\npart = [\"P\"]\n",
-            "shop.toml:3: machine.a.roles.part: unknown field `part`, expected `work_area` or `obstacles`",
+            "shop.toml:3: machine.a.roles.part: unknown field `part`, expected `work_area` or `obstacles`; \
+             correct this line",
         ),
         (
             "[machine.a.gcode]\nunit = \"cm\"\n",
-            "shop.toml:2: machine.a.gcode.unit: unknown variant `cm`, expected `mm` or `inch`",
+            "shop.toml:2: machine.a.gcode.unit: unknown variant `cm`, expected `mm` or `inch`; correct this line",
         ),
     ] {
         assert_eq!(refused(text), expected);

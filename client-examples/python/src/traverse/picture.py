@@ -13,14 +13,15 @@ from .scene import Polygon, Scene
 _WIDTH_PX = 720.0
 _TALLEST_PX = 540.0
 _MARGIN_PX = 16.0
-_STYLE = (
-    ".area{fill:#fff;stroke:#868e96;stroke-dasharray:6 4}"
-    ".obstacle{fill:#ced4da;stroke:#495057;fill-rule:evenodd}"
-    ".marked{fill:#ffc9c9;stroke:#c92a2a;fill-rule:evenodd}"
-    ".path{fill:none;stroke:#1971c2;stroke-width:2;stroke-linejoin:round}"
-    ".start{fill:#2b8a3e}.target{fill:#c92a2a}"
-    "text{font:12px sans-serif;fill:#495057}"
-)
+# Attributes and not a style sheet: that of a picture in a notebook would hold for the whole page.
+_LOOKS = {
+    "area": 'fill="#fff" stroke="#868e96" stroke-dasharray="6 4"',
+    "obstacle": 'fill="#ced4da" stroke="#495057" fill-rule="evenodd"',
+    "marked": 'fill="#ffc9c9" stroke="#c92a2a" fill-rule="evenodd"',
+    "path": 'fill="none" stroke="#1971c2" stroke-width="2" stroke-linejoin="round"',
+    "start": 'fill="#2b8a3e"',
+    "target": 'fill="#c92a2a"',
+}
 
 
 def picture(
@@ -45,15 +46,13 @@ def picture(
     for obstacle in scene.obstacles:
         shapes.append(frame.region("marked" if obstacle.id in marked else "obstacle", obstacle.polygon, obstacle.id))
     if path is not None:
-        shapes.append(f'<path class="path" d="{frame.outline(path)}"><title>{path.length_mm:.3f} mm</title></path>')
+        shapes.append(_shape("path", f'd="{frame.outline(path)}"', f"{path.length_mm:.3f} mm"))
     for kind, end in ends:
         x, y = frame.px(end)
-        shapes.append(
-            f'<circle class="{kind}" cx="{x}" cy="{y}" r="4"><title>{kind} {end[0]:g}, {end[1]:g}</title></circle>'
-        )
+        shapes.append(_shape(kind, f'cx="{x}" cy="{y}" r="4"', f"{kind} {end[0]:g}, {end[1]:g}", "circle"))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{frame.width:.0f}" height="{frame.height:.0f}" '
-        f'viewBox="0 0 {frame.width:.2f} {frame.height:.2f}"><style>{_STYLE}</style>{"".join(shapes)}</svg>'
+        f'viewBox="0 0 {frame.width:.2f} {frame.height:.2f}">{"".join(shapes)}</svg>'
     )
 
 
@@ -90,9 +89,14 @@ class _Frame:
         return "".join(data)
 
     def region(self, kind: str, polygon: Polygon, title: str) -> str:
-        """A polygon with its holes; its title shows under the mouse."""
+        """A polygon with its holes."""
         data = "".join(self.outline(ring.outline) + "Z" for ring in polygon.rings if ring.vertices)
-        return f'<path class="{kind}" d="{data}"><title>{escape(title)}</title></path>'
+        return _shape(kind, f'd="{data}"', title)
+
+
+def _shape(kind: str, geometry: str, title: str, element: str = "path") -> str:
+    """One element; its title shows under the mouse."""
+    return f'<{element} class="{kind}" {geometry} {_LOOKS[kind]}><title>{escape(title)}</title></{element}>'
 
 
 def _extent(scene: Scene, path: Path | None, ends: list[tuple[float, float]]) -> tuple[float, float, float, float]:

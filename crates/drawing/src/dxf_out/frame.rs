@@ -103,11 +103,7 @@ fn header(groups: &mut Groups, bounds: Bounds) {
 fn viewport(groups: &mut Groups, bounds: Bounds) {
     table(groups, "VPORT", "AcDbViewportTableRecord", &["*Active"], |groups, _| {
         let size = bounds.max - bounds.min;
-        let pairs = [
-            (10, Point::new(0.0, 0.0)),
-            (11, Point::new(1.0, 1.0)),
-            (12, bounds.min + size / 2.0),
-        ];
+        let pairs = [(10, Point::new(0.0, 0.0)), (11, Point::new(1.0, 1.0)), (12, bounds.min + size / 2.0)];
         for (code, p) in pairs {
             groups.number(code, p.x);
             groups.number(code + 10, p.y);

@@ -20,17 +20,11 @@ pub(crate) enum ArcBlock {
     /// It is as good as straight: the chord is no farther than half a last place away.
     Straight,
     /// It can be said by centre.
-    Round {
-        end: Words,
-        offset: Words,
-    },
+    Round { end: Words, offset: Words },
     /// On this grid the controller would read another arc: too small, or too flat and short.
     Unspeakable,
     /// The controller would refuse it.
-    RadiiDiffer {
-        mismatch_mm: f64,
-        tolerance_mm: f64,
-    },
+    RadiiDiffer { mismatch_mm: f64, tolerance_mm: f64 },
 }
 
 /// Rounds the arc that begins where the controller stands, at `from`.

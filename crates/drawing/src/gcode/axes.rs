@@ -38,10 +38,7 @@ impl Axes {
     /// The words of a position; the letter and value (millimetres) of the one that is too large.
     pub(crate) fn position(self, grid: Grid, p: Point) -> Result<Words, (char, f64)> {
         let y = p.y * self.y_factor;
-        Ok(Words {
-            x: grid.count(p.x).ok_or((self.x, p.x))?,
-            y: grid.count(y).ok_or((self.y, y))?,
-        })
+        Ok(Words { x: grid.count(p.x).ok_or((self.x, p.x))?, y: grid.count(y).ok_or((self.y, y))? })
     }
 
     /// The words of an offset, which counts radii; none when it is too large.

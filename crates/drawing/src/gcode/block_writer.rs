@@ -68,11 +68,7 @@ impl<'a> BlockWriter<'a> {
             let middle = arc.point_at(0.5);
             let half = arc.sweep / 2.0;
             self.piece(&Arc::from_center(arc.start, middle, arc.center, half), feed_mm_per_min, step)?;
-            return self.piece(
-                &Arc::from_center(middle, arc.end, arc.center, half),
-                feed_mm_per_min,
-                step,
-            );
+            return self.piece(&Arc::from_center(middle, arc.end, arc.center, half), feed_mm_per_min, step);
         }
         self.piece(arc, feed_mm_per_min, step)
     }
@@ -90,10 +86,8 @@ impl<'a> BlockWriter<'a> {
                 decimals: self.grid.decimals,
             }),
             ArcBlock::Round { end, offset } => {
-                let (position, center) = (
-                    self.axes.position_text(self.grid, end),
-                    self.axes.offset_text(self.grid, offset),
-                );
+                let (position, center) =
+                    (self.axes.position_text(self.grid, end), self.axes.offset_text(self.grid, offset));
                 let direction = if arc.sweep > 0.0 { 3 } else { 2 };
                 self.block(direction, &format!("{position}{center}"), Some(feed_mm_per_min));
                 self.at = end;

@@ -31,8 +31,10 @@ pub enum GcodeError {
         distance_mm: f64,
     },
     /// Too large for the controller to read to the last place.
-    #[error("step {step} needs {word}{value}, but {dialect} reads no more than {limit} with {decimals} decimals; \
-             move the origin nearer or use fewer decimals")]
+    #[error(
+        "step {step} needs {word}{value}, but {dialect} reads no more than {limit} with {decimals} decimals; \
+             move the origin nearer or use fewer decimals"
+    )]
     NumberTooLarge {
         /// Counted from 1; 0 for the start.
         step: usize,
@@ -65,7 +67,9 @@ pub enum GcodeError {
         decimals: u8,
     },
     /// The chords of one arc would be too many.
-    #[error("the arc of step {step} would take more than {limit} chords; use a coarser tolerance than {tolerance_mm} mm")]
+    #[error(
+        "the arc of step {step} would take more than {limit} chords; use a coarser tolerance than {tolerance_mm} mm"
+    )]
     TooManyChords {
         /// Counted from 1.
         step: usize,

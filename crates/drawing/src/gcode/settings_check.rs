@@ -121,9 +121,7 @@ fn check_line(line: &str, dialect: GcodeDialect) -> Result<(), String> {
         GcodeDialect::Fanuc if line.contains(|c: char| c.is_ascii_lowercase()) => {
             Err("fanuc takes no lower case; use capitals".to_owned())
         }
-        GcodeDialect::Fanuc if line.contains(';') => {
-            Err("`;` ends a block; put comments in ( )".to_owned())
-        }
+        GcodeDialect::Fanuc if line.contains(';') => Err("`;` ends a block; put comments in ( )".to_owned()),
         _ => Ok(()),
     }
 }

@@ -2,8 +2,8 @@
 
 use super::line_index::LineIndex;
 use super::raw::{
-    RawArcs, RawCornerStyle, RawDialect, RawGcode, RawMachine, RawPlane, RawProfiles, RawSpeeds,
-    RawStraight, RawUnit, RawXWord,
+    RawArcs, RawCornerStyle, RawDialect, RawGcode, RawMachine, RawPlane, RawProfiles, RawSpeeds, RawStraight,
+    RawUnit, RawXWord,
 };
 use super::{Machine, ProfileFinding};
 use crate::{

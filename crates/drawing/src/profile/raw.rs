@@ -110,12 +110,16 @@ pub(crate) fn read(text: &str) -> Result<RawProfiles, Vec<ProfileFinding>> {
     let lines = LineIndex::new(text);
     let finding = |error: &toml::de::Error, key: String| {
         let line = error.span().map_or(1, |span| lines.line(span.start));
-        vec![ProfileFinding { line, key, message: error.message().replace('\n', "; ") }]
+        let message = format!("{}; correct this line", error.message().replace('\n', "; "));
+        vec![ProfileFinding { line, key, message }]
     };
-    let toml = toml::Deserializer::parse(text)
-        .map_err(|error| finding(&error, "toml".to_owned()))?;
-    serde_path_to_error::deserialize(toml).map_err(|error| {
-        let key = error.path().to_string();
-        finding(error.inner(), key)
-    })
+    let toml = toml::Deserializer::parse(text).map_err(|error| finding(&error, "toml".to_owned()))?;
+    serde_path_to_error::deserialize(toml).map_err(|error| finding(error.inner(), key_of(error.path())))
+}
+
+/// The key as it stands in the file: `Spanned` passes through a key of its own.
+fn key_of(path: &serde_path_to_error::Path) -> String {
+    let own = |segment: &&serde_path_to_error::Segment| !segment.to_string().starts_with("$__serde_spanned");
+    let keys: Vec<String> = path.iter().filter(own).map(ToString::to_string).collect();
+    if keys.is_empty() { "toml".to_owned() } else { keys.join(".") }
 }
