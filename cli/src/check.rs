@@ -11,7 +11,8 @@ pub(crate) async fn run(arguments: Check) -> Result<(), Failure> {
         move |why: String| Failure::Input(format!("{path}: {why}"))
     };
     let request: v1::PlanRapidMoveRequest =
-        planning::request("PlanRapidMove", &input::read(&arguments.request)?).map_err(wrong(&arguments.request))?;
+        planning::request("PlanRapidMove", &input::read(&arguments.request)?)
+            .map_err(wrong(&arguments.request))?;
     let response: v1::PlanRapidMoveResponse =
         planning::answer("PlanRapidMove", &input::read(&arguments.plan)?).map_err(wrong(&arguments.plan))?;
     let Some(v1::plan_rapid_move_response::Outcome::Plan(plan)) = response.outcome else {

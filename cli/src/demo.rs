@@ -3,9 +3,9 @@
 
 use crate::arguments::Demo;
 use crate::failure::Failure;
+use crate::input;
 use crate::rapid::{duration, picture};
 use crate::serve::start_failure;
-use crate::input;
 use std::time::{Duration, Instant};
 use tonic::transport::Channel;
 use traverse_drawing::{ReadOptions, SceneOptions, read_dxf, scene_from_drawing};
@@ -51,14 +51,63 @@ const fn rapid(
 }
 
 const MOVES: [Move; 8] = [
-    rapid(("vise-and-clamps.dxf", VISE), "mill-across", (30.0, 150.0), (570.0, 150.0), 5.0, CornerStyle::Round),
+    rapid(
+        ("vise-and-clamps.dxf", VISE),
+        "mill-across",
+        (30.0, 150.0),
+        (570.0, 150.0),
+        5.0,
+        CornerStyle::Round,
+    ),
     rapid(("vise-and-clamps.dxf", VISE), "mill-across-mitred", (30.0, 150.0), (570.0, 150.0), 5.0, MITER),
-    rapid(("vise-and-clamps.dxf", VISE), "mill-into-the-stop", (230.0, 155.0), (300.0, 80.0), 5.0, CornerStyle::Round),
-    rapid(("vise-and-clamps.dxf", VISE), "mill-shut-in", (110.0, 155.0), (570.0, 150.0), 5.0, CornerStyle::Round),
-    rapid(("turned-shaft.dxf", SHAFT), "lathe-undercut", (100.0, 38.0), (206.0, 38.0), 4.0, CornerStyle::Round),
-    rapid(("turned-shaft.dxf", SHAFT), "lathe-to-tailstock", (70.0, 60.0), (310.0, 30.0), 4.0, CornerStyle::Round),
-    rapid(("leather-hide.dxf", HIDE), "hide-across", (210.0, 300.0), (1120.0, 480.0), 6.0, CornerStyle::Round),
-    rapid(("leather-hide.dxf", HIDE), "hide-out-of-the-nest", (303.0, 430.0), (1000.0, 640.0), 4.0, CornerStyle::Round),
+    rapid(
+        ("vise-and-clamps.dxf", VISE),
+        "mill-into-the-stop",
+        (230.0, 155.0),
+        (300.0, 80.0),
+        5.0,
+        CornerStyle::Round,
+    ),
+    rapid(
+        ("vise-and-clamps.dxf", VISE),
+        "mill-shut-in",
+        (110.0, 155.0),
+        (570.0, 150.0),
+        5.0,
+        CornerStyle::Round,
+    ),
+    rapid(
+        ("turned-shaft.dxf", SHAFT),
+        "lathe-undercut",
+        (100.0, 38.0),
+        (206.0, 38.0),
+        4.0,
+        CornerStyle::Round,
+    ),
+    rapid(
+        ("turned-shaft.dxf", SHAFT),
+        "lathe-to-tailstock",
+        (70.0, 60.0),
+        (310.0, 30.0),
+        4.0,
+        CornerStyle::Round,
+    ),
+    rapid(
+        ("leather-hide.dxf", HIDE),
+        "hide-across",
+        (210.0, 300.0),
+        (1120.0, 480.0),
+        6.0,
+        CornerStyle::Round,
+    ),
+    rapid(
+        ("leather-hide.dxf", HIDE),
+        "hide-out-of-the-nest",
+        (303.0, 430.0),
+        (1000.0, 640.0),
+        4.0,
+        CornerStyle::Round,
+    ),
 ];
 
 pub(crate) async fn run(arguments: Demo) -> Result<(), Failure> {
@@ -76,7 +125,9 @@ pub(crate) async fn run(arguments: Demo) -> Result<(), Failure> {
         let row = show(wanted, &mut client, &arguments).await?;
         println!("{row}");
     }
-    println!("\nLengths in mm. Proven: no collision-free path is shorter. Checked: by code that shares nothing with the");
+    println!(
+        "\nLengths in mm. Proven: no collision-free path is shorter. Checked: by code that shares nothing with the"
+    );
     println!("planner. Search: in the engine; call: until the answer was here.");
     println!("Pictures: {}/*.svg", arguments.out.display());
     drop(client);
@@ -118,7 +169,13 @@ async fn show(
     Ok(row(wanted, &scene, &answer, checked, call))
 }
 
-fn row(wanted: &Move, scene: &Scene, answer: &v1::PlanRapidMoveResponse, checked: &str, call: Duration) -> String {
+fn row(
+    wanted: &Move,
+    scene: &Scene,
+    answer: &v1::PlanRapidMoveResponse,
+    checked: &str,
+    call: Duration,
+) -> String {
     let straight = (at(wanted.to) - at(wanted.from)).norm();
     let (length, proven, round) = match &answer.outcome {
         Some(Outcome::Plan(plan)) => {
@@ -130,7 +187,8 @@ fn row(wanted: &Move, scene: &Scene, answer: &v1::PlanRapidMoveResponse, checked
         }
         None => ("?".to_owned(), "no", String::new()),
     };
-    let search = answer.stats.and_then(|stats| stats.search_duration).map(|time| duration(&time)).unwrap_or_default();
+    let search =
+        answer.stats.and_then(|stats| stats.search_duration).map(|time| duration(&time)).unwrap_or_default();
     let mut round: String = if round.chars().count() > 34 { round.chars().take(33).collect() } else { round };
     if round.chars().count() == 33 {
         round.push('…');
@@ -147,8 +205,10 @@ fn row(wanted: &Move, scene: &Scene, answer: &v1::PlanRapidMoveResponse, checked
 
 fn scene_of(wanted: &Move) -> Result<Scene, Failure> {
     let internal = |why: String| Failure::Internal(format!("{}: {why}", wanted.drawing));
-    let drawing = read_dxf(wanted.dxf, &ReadOptions::default()).map_err(|error| internal(error.to_string()))?;
-    let options = SceneOptions { corner_style: wanted.corner_style, ..SceneOptions::new(wanted.clearance_mm) };
+    let drawing =
+        read_dxf(wanted.dxf, &ReadOptions::default()).map_err(|error| internal(error.to_string()))?;
+    let options =
+        SceneOptions { corner_style: wanted.corner_style, ..SceneOptions::new(wanted.clearance_mm) };
     let found = scene_from_drawing(&drawing, &options).map_err(|error| internal(error.to_string()))?;
     if found.report.is_complete() { Ok(found.scene) } else { Err(internal(found.report.to_string())) }
 }

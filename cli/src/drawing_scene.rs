@@ -3,15 +3,17 @@
 use crate::arguments::{Corner, Rapid};
 use crate::failure::Failure;
 use crate::input;
-use traverse_drawing::{LayerPattern, ReadOptions, Roles, SceneFromDrawing, SceneOptions, read_dxf, scene_from_drawing};
+use traverse_drawing::{
+    LayerPattern, ReadOptions, Roles, SceneFromDrawing, SceneOptions, read_dxf, scene_from_drawing,
+};
 use traverse_geometry::CornerStyle;
 
 /// The scene that `arguments` ask for; the report goes to standard error.
 pub(crate) fn scene(arguments: &Rapid) -> Result<SceneFromDrawing, Failure> {
     let path = arguments.drawing.display();
     let bytes = input::read(&arguments.drawing)?;
-    let drawing =
-        read_dxf(&bytes, &ReadOptions::default()).map_err(|error| Failure::Input(format!("{path}: {error}")))?;
+    let drawing = read_dxf(&bytes, &ReadOptions::default())
+        .map_err(|error| Failure::Input(format!("{path}: {error}")))?;
     let found = scene_from_drawing(&drawing, &options(arguments))
         .map_err(|error| Failure::Input(format!("{path}: {error}")))?;
     eprint!("{}", found.report);

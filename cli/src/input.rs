@@ -18,7 +18,10 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
         fs::File::open(path).map_err(wrong)?.take(FILE_BYTES + 1).read_to_end(&mut bytes).map_err(wrong)?;
     }
     if bytes.len() as u64 > FILE_BYTES {
-        return Err(Failure::Input(format!("{} is longer than {FILE_BYTES} bytes; split it", path.display())));
+        return Err(Failure::Input(format!(
+            "{} is longer than {FILE_BYTES} bytes; split it",
+            path.display()
+        )));
     }
     Ok(bytes)
 }

@@ -83,12 +83,20 @@ fn report(scene: &Scene, arguments: &Rapid, answer: &v1::PlanRapidMoveResponse) 
     match &answer.outcome {
         Some(Outcome::Plan(plan)) => {
             let steps = plan.path.as_ref().map_or(0, |path| path.steps.len());
-            let arcs = plan.path.iter().flat_map(|path| &path.steps).filter(|step| step.arc.is_some()).count();
+            let arcs =
+                plan.path.iter().flat_map(|path| &path.steps).filter(|step| step.arc.is_some()).count();
             println!("length       {:.6} mm (straight line {straight:.6})", plan.cost);
             let proven = if plan.lower_bound == plan.cost { ", proven shortest" } else { "" };
             println!("lower bound  {:.6} mm{proven}", plan.lower_bound);
             println!("steps        {steps}, of which {arcs} are arcs");
-            println!("goes round   {}", if plan.bending_obstacle_ids.is_empty() { "nothing".to_owned() } else { plan.bending_obstacle_ids.join(", ") });
+            println!(
+                "goes round   {}",
+                if plan.bending_obstacle_ids.is_empty() {
+                    "nothing".to_owned()
+                } else {
+                    plan.bending_obstacle_ids.join(", ")
+                }
+            );
             for alternative in &plan.alternatives {
                 println!("candidate    {:.6} mm", alternative.length_mm);
             }

@@ -72,8 +72,20 @@ fn plan_across_the_mill(server: Option<&str>) -> Planned {
     let planned = Planned { folder: tempfile::tempdir().unwrap() };
     let (drawing, svg) = (drawing("vise-and-clamps.dxf"), planned.name("plan.svg"));
     let (json, request) = (planned.name("plan.json"), planned.name("request.json"));
-    let mut arguments =
-        vec!["rapid", &drawing, "--from", "30,150", "--to", "570,150", "--clearance", "5", "-o", &svg, "-o", &json];
+    let mut arguments = vec![
+        "rapid",
+        &drawing,
+        "--from",
+        "30,150",
+        "--to",
+        "570,150",
+        "--clearance",
+        "5",
+        "-o",
+        &svg,
+        "-o",
+        &json,
+    ];
     arguments.extend(["--request", &request]);
     arguments.extend(server.iter().flat_map(|url| ["--server", *url]));
     assert_ends(&traverse(&arguments), 0, "proven shortest");

@@ -157,9 +157,9 @@ fn check(
 ) -> Result<(CheckRapidMoveResponse, &'static str), Refused> {
     let question = CheckQuestion::from_wire(request, &config.limits, budget)?;
     call.note(|facts| size_of(facts, &question.scene));
-    let found = engines.check_rapid_move(&question, budget).ok_or_else(|| {
-        Refused::interrupted(budget.check(0).err().unwrap_or(Interrupt::Deadline), None)
-    })?;
+    let found = engines
+        .check_rapid_move(&question, budget)
+        .ok_or_else(|| Refused::interrupted(budget.check(0).err().unwrap_or(Interrupt::Deadline), None))?;
     let outcome = if found.violations.is_empty() { "sound" } else { "violations" };
     Ok((check_answer(&found), outcome))
 }

@@ -28,7 +28,9 @@ class Server:
         assert self._process.stdout is not None
         # Printed once it listens: `traverse listens on http://127.0.0.1:PORT`.
         line = self._process.stdout.readline()
-        assert "http://" in line, f"the server said {line!r}"
+        if "http://" not in line:
+            self.stop()
+            pytest.fail(f"the server said {line!r} instead of its address")
         self.address = line.split()[-1]
 
     def stop(self) -> None:

@@ -10,7 +10,7 @@ mod polyline;
 use frame::{FileLayer, begin_file, end_file};
 use groups::Groups;
 use polyline::polyline;
-use traverse_geometry::{Bounds, Path, Point, Scene};
+use traverse_geometry::{Bounds, Path, Point, Polygon, Scene};
 
 /// The layer of the path: one LWPOLYLINE from start to target.
 pub const PATH_LAYER: &str = "TRAVERSE_PATH";
@@ -57,7 +57,7 @@ pub fn write_dxf(path: &Path, scene: Option<&Scene>) -> Result<String, DxfWriteE
     let mut groups = Groups::default();
     let model_space = begin_file(&mut groups, &layers, bounds);
     if let Some(scene) = scene {
-        for ring in scene.work_area.iter().flat_map(|area| area.rings()) {
+        for ring in scene.work_area.iter().flat_map(Polygon::rings) {
             polyline(&mut groups, model_space, WORK_AREA_LAYER, ring.edges(), true);
         }
         for ring in scene.obstacles.iter().flat_map(|obstacle| obstacle.shape.rings()) {

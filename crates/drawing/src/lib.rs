@@ -48,9 +48,7 @@ mod work_area;
 pub use curve::Curve;
 pub use drawing::{Drawing, Layer};
 pub use dxf::{read_dxf, read_dxf_from};
-pub use dxf_out::{
-    DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, WORK_AREA_LAYER, write_dxf,
-};
+pub use dxf_out::{DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, WORK_AREA_LAYER, write_dxf};
 pub use error::ReadError;
 pub use finding::{DrawingFinding, Fault};
 pub use forest::Forest;

@@ -1,34 +1,4 @@
 //! Machine profiles: what stays the same from job to job, by machine, in a TOML file.
-//!
-//! ```toml
-//! [machine.plasma-2]
-//! clearance_mm = 3.0
-//! border_clearance_mm = 0.0        # absent: clearance_mm
-//! corner_style = "round"           # or "miter", then also miter_limit
-//!
-//! [machine.plasma-2.roles]         # layers by pattern, * stands for any text
-//! work_area = ["TABLE*"]
-//! obstacles = ["CLAMPS", "PARTS_*"]
-//!
-//! [machine.plasma-2.speeds]
-//! arc_feed_mm_per_min = 6000
-//! straight_feed_mm_per_min = 9000  # only for straight = "G1"
-//!
-//! [machine.plasma-2.gcode]
-//! dialect = "linuxcnc"             # grbl, fanuc
-//! unit = "mm"                      # inch
-//! plane = "G17"                    # G18: x is the machine's Z, y its X
-//! x_word = "radius"                # diameter; G18 only
-//! decimals = 3                     # absent: as few as the controller accepts
-//! straight = "G0"                  # G1
-//! arcs = "fed"                     # chords, then also chord_tolerance_mm (0.01)
-//! safe_start = ["G90 G91.1 G40"]   # absent: the dialect's own
-//! header = ["(PLASMA 2)"]
-//! footer = ["M30"]
-//! program_number = 1               # fanuc only
-//! ```
-//!
-//! Every key may be left out. Keys that are not in this list are refused: nothing is taken that would have no effect.
 
 mod convert;
 mod error;
@@ -85,6 +55,37 @@ impl Machine {
 }
 
 /// The machines of a profile file.
+///
+/// ```toml
+/// [machine.plasma-2]
+/// clearance_mm = 3.0
+/// border_clearance_mm = 0.0        # absent: clearance_mm
+/// corner_style = "round"           # or "miter", then miter_limit = 4.0 if wanted
+///
+/// [machine.plasma-2.roles]         # layers by pattern, * stands for any text
+/// work_area = ["TABLE*"]
+/// obstacles = ["CLAMPS", "PARTS_*"]
+///
+/// [machine.plasma-2.speeds]
+/// arc_feed_mm_per_min = 6000       # needed unless arcs = "chords"
+/// straight_feed_mm_per_min = 9000  # needed for straight = "G1"
+///
+/// [machine.plasma-2.gcode]
+/// dialect = "linuxcnc"             # or "grbl", "fanuc"
+/// unit = "mm"                      # or "inch"
+/// plane = "G17"                    # or "G18": x is the machine's Z, y its X
+/// # x_word = "diameter"            # or "radius"; G18 only
+/// decimals = 3                     # absent: as few as the controller accepts
+/// straight = "G0"                  # or "G1"
+/// arcs = "fed"                     # or "chords"
+/// # chord_tolerance_mm = 0.01      # chords only
+/// safe_start = ["G90 G91.1 G40"]   # absent: the dialect's own
+/// header = ["(PLASMA 2)"]
+/// footer = ["M30"]
+/// # program_number = 1             # fanuc only
+/// ```
+///
+/// Every key may be left out. Keys that are not in this list are refused, and so are keys that have no effect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profiles {
     file: String,

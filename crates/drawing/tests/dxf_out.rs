@@ -7,7 +7,7 @@ mod random;
 use random::Random;
 use std::f64::consts::TAU;
 use traverse_drawing::{
-    DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, ReadOptions, WORK_AREA_LAYER, join_loops,
+    Curve, DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, ReadOptions, WORK_AREA_LAYER, join_loops,
     read_dxf, write_dxf,
 };
 use traverse_geometry::{CornerStyle, Obstacle, Path, Point, Polygon, Ring, Scene, unit};
@@ -48,9 +48,7 @@ fn scene() -> Scene {
 fn length_on(text: &str, layer: &str) -> f64 {
     let drawing = read_dxf(text.as_bytes(), &ReadOptions::default()).unwrap();
     let found = drawing.layers.iter().find(|found| found.name == layer);
-    found.map_or(0.0, |found| {
-        found.curves.iter().flat_map(|curve| curve.edges()).map(|edge| edge.length()).sum()
-    })
+    found.map_or(0.0, |found| found.curves.iter().flat_map(Curve::edges).map(|edge| edge.length()).sum())
 }
 
 #[test]

@@ -97,6 +97,12 @@ fn full_turns_are_split_and_tiny_arcs_go_straight() {
     let end = Point::new(10.0 * 1e-5_f64.cos(), 10.0 * 1e-5_f64.sin());
     path.arc_to(end, Point::origin(), 1e-5);
     assert!(lines(&path).is_empty());
+    // A radius of five last places would not stay round.
+    let mut path = Path::at(Point::new(0.005, 0.0));
+    path.arc_to(Point::new(-0.005, 0.0), Point::origin(), PI);
+    let tiny = gcode_moves(&path, &with(GcodeDialect::LinuxCnc), &ModalState::default()).unwrap();
+    assert_eq!((tiny.fed_arc_count, tiny.straightened_arc_count), (0, 1));
+    assert!(tiny.lines.iter().all(|line| line.starts_with("G0 ")) && tiny.lines.len() > 1);
 }
 
 #[test]

@@ -78,6 +78,20 @@ fn machines_are_chosen_by_name() {
 }
 
 #[test]
+fn the_documented_profile_is_read() {
+    let source = include_str!("../src/profile.rs");
+    let documented: Vec<&str> = source
+        .lines()
+        .skip_while(|line| *line != "/// ```toml")
+        .skip(1)
+        .take_while(|line| *line != "/// ```")
+        .map(|line| line.trim_start_matches("///"))
+        .collect();
+    let profiles = read(&documented.join("\n")).unwrap();
+    assert!(profiles.machine("plasma-2").unwrap().gcode.is_some());
+}
+
+#[test]
 fn unknown_keys_are_refused_with_line_and_known_names() {
     for (text, expected) in [
         (

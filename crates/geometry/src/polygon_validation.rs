@@ -29,11 +29,7 @@ impl Polygon {
     ///
     /// # Errors
     /// As [`Polygon::new`]; when given up, something that may be wrong or not.
-    pub fn new_while(
-        outer: Ring,
-        holes: Vec<Ring>,
-        go_on: &dyn Fn() -> bool,
-    ) -> Result<Self, Vec<Finding>> {
+    pub fn new_while(outer: Ring, holes: Vec<Ring>, go_on: &dyn Fn() -> bool) -> Result<Self, Vec<Finding>> {
         if holes.is_empty() {
             return Ok(Self::trusted(outer, holes));
         }

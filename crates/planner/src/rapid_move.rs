@@ -11,7 +11,7 @@ use crate::barriers::Barriers;
 use crate::search::{End, Relaxation, Route, shortest};
 use crate::separating::separating;
 use crate::standing::stand;
-use crate::supporting_lines::supporting_lines;
+use crate::supporting_lines::Scan;
 use crate::trace::trace;
 use crate::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
@@ -31,9 +31,16 @@ pub fn plan_rapid_move(
     let interrupted =
         |lower_bound: f64| move |interrupt: Interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
     let straight = (query.target - query.start).norm();
+    let scan = match query.algorithm {
+        Algorithm::Exact => None,
+        Algorithm::SupportingLines => {
+            Some(Scan::of(scene, query.start, query.target).map_err(|refusal| vec![refusal])?)
+        }
+    };
     let barriers = Barriers::new(scene, budget).map_err(interrupted(straight))?;
-    let (start, target) =
-        both(stand(&barriers, "start", query.start), stand(&barriers, "target", query.target))?;
+    let start = stand(&barriers, "start", query.start, budget).map_err(interrupted(straight))?;
+    let target = stand(&barriers, "target", query.target, budget).map_err(interrupted(straight))?;
+    let (start, target) = both(start, target)?;
     let mut solver =
         Solver { barriers: &barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
     let solved = solver.solve(&start, &target).map_err(interrupted(solver.lower_bound))?;
@@ -53,28 +60,22 @@ pub fn plan_rapid_move(
         bending_obstacles,
         alternatives: Vec::new(),
     };
-    let plan = match query.algorithm {
-        Algorithm::Exact => exact,
-        Algorithm::SupportingLines => {
-            let candidates = supporting_lines(scene, query.start, query.target).map_err(|why| vec![why])?;
-            published(candidates, exact)
-        }
-    };
-    Ok((Answer::Plan(plan), stats))
+    let Some(scan) = scan else { return Ok((Answer::Plan(exact), stats)) };
+    let see_each_other = exact.path.steps.len() <= 1;
+    let candidates = scan.candidates(see_each_other, budget).map_err(interrupted(cost))?;
+    Ok((Answer::Plan(published(candidates, exact)?), stats))
 }
 
 /// The published plan: its best candidate, bounded by the exact optimum.
-fn published(candidates: Vec<Path>, exact: RapidPlan) -> RapidPlan {
-    let path = candidates.first().cloned().unwrap_or_else(|| exact.path.clone());
+fn published(candidates: Vec<Path>, exact: RapidPlan) -> Result<RapidPlan, Vec<Refusal>> {
+    let Some(path) = candidates.first().cloned() else {
+        let why = "the barrier has no supporting line through start or target";
+        return Err(vec![Refusal::PublishedMethodNotApplicable { why }]);
+    };
     let cost = path.length();
-    RapidPlan {
-        cost,
-        // Both are sums of the same lengths when the scan finds the optimum; rounding must not set them apart.
-        lower_bound: if cost <= exact.cost * (1.0 + 1e-12) { cost } else { exact.cost },
-        path,
-        alternatives: candidates,
-        ..exact
-    }
+    // Both are sums of the same lengths when the scan finds the optimum; rounding must not set them apart.
+    let lower_bound = if cost <= exact.cost * (1.0 + 1e-12) { cost } else { exact.cost };
+    Ok(RapidPlan { path, cost, lower_bound, alternatives: candidates, ..exact })
 }
 
 fn both(
@@ -126,7 +127,7 @@ impl Solver<'_> {
                 self.lower_bound = route.cost;
                 self.observer.better_bound(route.cost);
             }
-            let hit: BTreeSet<usize> = self.hits(&route, &relaxation);
+            let hit = self.hits(&route, &relaxation)?;
             if hit.is_empty() {
                 self.observer.better_cost(route.cost);
                 let path = trace(&route, &relaxation.features, start.point, target.point);
@@ -140,13 +141,16 @@ impl Solver<'_> {
     }
 
     /// Owners of the barriers of the whole scene that the planned path runs into.
-    fn hits(&self, route: &Route, relaxation: &Relaxation) -> BTreeSet<usize> {
+    fn hits(&self, route: &Route, relaxation: &Relaxation) -> Result<BTreeSet<usize>, Interrupt> {
         let mut hit = BTreeSet::new();
-        for &(from, to) in &route.straights {
+        // Where nothing is moved nothing is hit: the search does not test that either.
+        for &(from, to) in route.straights.iter().filter(|(from, to)| from != to) {
+            self.budget.check(0)?;
             let piece = Edge::Segment(Segment::new(from, to));
             hit.extend(self.barriers.whole.blocking(&piece).map(|blocker| blocker.owner));
         }
         for stop in &route.stops {
+            self.budget.check(0)?;
             let feature = &relaxation.features[stop.feature];
             if feature.plan_radius == 0.0 {
                 continue;
@@ -157,7 +161,7 @@ impl Solver<'_> {
             let blocked = self.barriers.whole.blocked_offsets(feature);
             hit.extend(blocked.filter(|&(from, to, _)| from < high && low < to).map(|(_, _, owner)| owner));
         }
-        hit
+        Ok(hit)
     }
 
     /// Ids of obstacles; the work area's border is taken for granted.

@@ -4,35 +4,47 @@ use crate::Refusal;
 use crate::barrier::{Blocker, miter_gauge};
 use crate::barriers::Barriers;
 use crate::search::End;
+use std::f64::consts::{PI, TAU};
 use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, Vector, left_of,
+    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, left_of, positive_angle, unit,
 };
+use traverse_solve::{Budget, Interrupt};
 
-/// More edges than this meeting in one end give no more places to stand.
-const MOST_NORMALS: usize = 16;
+/// An edge's end nearer than this to the point that it touches gives no direction, in contact tolerances.
+const SHORT_EDGE: f64 = 10.0;
+
+/// Sine of half the opening below which a wedge is too narrow to stand in: 0.01 degrees.
+const NARROW_WEDGE: f64 = 1e-4;
 
 /// The end at `point` as the search sees it.
 ///
 /// # Errors
-/// Every barrier that it lies inside of. Cost: linear.
-pub(crate) fn stand(barriers: &Barriers<'_>, field: &'static str, point: Point) -> Result<End, Vec<Refusal>> {
-    let refusals: Vec<Refusal> = (0..barriers.owner_count())
-        .filter_map(|owner| {
-            let depth_mm = depth(barriers, owner, point)?;
-            Some(Refusal::EndInsideBarrier { field, obstacle: barriers.id(owner).to_owned(), depth_mm })
-        })
-        .collect();
-    if !refusals.is_empty() {
-        return Err(refusals);
+/// The budget ended; within, every barrier that it lies inside of. Cost: linear.
+pub(crate) fn stand(
+    barriers: &Barriers<'_>,
+    field: &'static str,
+    point: Point,
+    budget: &Budget,
+) -> Result<Result<End, Vec<Refusal>>, Interrupt> {
+    let mut refusals = Vec::new();
+    for owner in 0..barriers.owner_count() {
+        budget.check(0)?;
+        if let Some(depth_mm) = depth(barriers, owner, point) {
+            let obstacle = barriers.id(owner).to_owned();
+            refusals.push(Refusal::EndInsideBarrier { field, obstacle, depth_mm });
+        }
     }
-    let places = places(barriers, point);
+    if !refusals.is_empty() {
+        return Ok(Err(refusals));
+    }
+    let places = places(barriers, point, budget)?;
     let mut shut_in_by = Vec::new();
     if places.is_empty() {
         shut_in_by.extend(near(barriers, point).iter().map(|blocker| blocker.owner));
         shut_in_by.sort_unstable();
         shut_in_by.dedup();
     }
-    Ok(End { point, places, shut_in_by })
+    Ok(Ok(End { point, places, shut_in_by }))
 }
 
 /// How far `point` lies inside the owner's barrier, if by more than half a contact tolerance.
@@ -76,48 +88,54 @@ fn shape<'a>(barriers: &Barriers<'a>, owner: usize) -> Option<&'a Polygon> {
     }
 }
 
-/// The point itself; on the border of what is planned at one contact tolerance, the places that far out from it:
-/// along the normals of the edges that meet there, and in the corners between two of them.
-fn places(barriers: &Barriers<'_>, point: Point) -> Vec<Point> {
+/// The point itself; on the border of what is planned at one contact tolerance, the places that far out from it, in
+/// every wedge between neighbouring edges that meet there: in its corner, or, where it is no corner, off either edge.
+fn places(barriers: &Barriers<'_>, point: Point, budget: &Budget) -> Result<Vec<Point>, Interrupt> {
     if is_clear(barriers, point) {
-        return vec![point];
+        return Ok(vec![point]);
     }
-    let normals = border_normals(barriers, point);
-    let corners = normals.iter().enumerate().flat_map(|(i, a)| {
-        normals[i + 1..].iter().filter_map(move |b| {
-            let opening = 1.0 + a.dot(b);
-            (opening > 1e-6).then(|| (a + b) / opening)
-        })
-    });
+    let rays = border_rays(barriers, point);
     let mut places: Vec<Point> = Vec::new();
-    for by in normals.iter().copied().chain(corners) {
-        let place = point + by * CONTACT_TOLERANCE_MM;
-        if !places.contains(&place) && is_clear(barriers, place) && is_beside(barriers, point, place) {
-            places.push(place);
-        }
-    }
-    places
-}
-
-/// Outward normals of the edges at `point`, without repeats.
-fn border_normals(barriers: &Barriers<'_>, point: Point) -> Vec<Vector> {
-    let mut normals: Vec<Vector> = Vec::new();
-    let mut add = |normal: Vector| {
-        if normals.len() < MOST_NORMALS && !normals.iter().any(|known| (known - normal).norm() < 1e-9) {
-            normals.push(normal);
-        }
-    };
-    for blocker in near(barriers, point) {
-        match blocker.edge {
-            Edge::Segment(_) => add(-left_of(blocker.edge.direction_at(0.0))),
-            Edge::Arc(arc) => {
-                if let Some(spoke) = (point - arc.center).try_normalize(0.0) {
-                    add(spoke * arc.sweep.signum());
-                }
+    for (i, &ray) in rays.iter().enumerate() {
+        let next = rays[(i + 1) % rays.len()];
+        let opening = if rays.len() == 1 { TAU } else { positive_angle(next - ray) };
+        let half_sine = (opening / 2.0).sin();
+        let offsets = if opening >= PI {
+            vec![unit(ray + PI / 2.0), unit(next - PI / 2.0)]
+        } else if half_sine > NARROW_WEDGE {
+            vec![unit(ray + opening / 2.0) / half_sine]
+        } else {
+            Vec::new()
+        };
+        for offset in offsets {
+            let place = point + offset * CONTACT_TOLERANCE_MM;
+            if is_clear(barriers, place) && is_beside(barriers, point, place, budget)? {
+                places.push(place);
             }
         }
     }
-    normals
+    Ok(places)
+}
+
+/// Directions, ascending, in which edges run off from `point`, radians.
+fn border_rays(barriers: &Barriers<'_>, point: Point) -> Vec<f64> {
+    let mut rays: Vec<f64> = Vec::new();
+    for blocker in near(barriers, point) {
+        let edge = blocker.edge;
+        for (end, sense) in [(edge.start(), -1.0), (edge.end(), 1.0)] {
+            let away = end - point;
+            if away.norm() > SHORT_EDGE * CONTACT_TOLERANCE_MM {
+                let direction = match edge {
+                    Edge::Segment(_) => away,
+                    Edge::Arc(arc) => left_of(point - arc.center) * (arc.sweep.signum() * sense),
+                };
+                rays.push(positive_angle(direction.y.atan2(direction.x)));
+            }
+        }
+    }
+    rays.sort_by(f64::total_cmp);
+    rays.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    rays
 }
 
 /// Blockers that `point` lies nearer to than a contact tolerance and that are planned at it.
@@ -137,11 +155,25 @@ fn is_clear(barriers: &Barriers<'_>, place: Point) -> bool {
 
 /// Whether `place` lies beside `point` on the free side: outside of all material, with nothing between them but
 /// what meets in `point` itself.
-fn is_beside(barriers: &Barriers<'_>, point: Point, place: Point) -> bool {
+fn is_beside(
+    barriers: &Barriers<'_>,
+    point: Point,
+    place: Point,
+    budget: &Budget,
+) -> Result<bool, Interrupt> {
     let between = Edge::Segment(Segment::new(point, place));
     let parted = barriers.whole.near(&between).any(|blocker| {
         blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
             && blocker.edge.distance(&between) == 0.0
     });
-    !parted && (0..barriers.owner_count()).all(|owner| depth(barriers, owner, place).is_none())
+    if parted {
+        return Ok(false);
+    }
+    for owner in 0..barriers.owner_count() {
+        budget.check(0)?;
+        if depth(barriers, owner, place).is_some() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }

@@ -9,52 +9,79 @@
 //! vertices whose line globally supports what is left, until a support of the target is reached (S1), the same
 //! clockwise (S2), and the shorter is kept.
 //!
-//! From outside the convex hull there are exactly two global supports, so the published visibility test, which
-//! passes diagonals through the inside, does no harm there. Cost: the square of the vertex count.
+//! Where the published text is wrong or silent, and what is done here. Its visibility test decides proper crossings only,
+//! so a diagonal through two corners passes: whether start and target see each other is decided by the exact planner
+//! instead. "Exactly two global supports" holds outside the convex hull only: elsewhere the scan is refused. A common
+//! support of both ends is the first vertex of both, which the scan finds as a way over one vertex. Holes do not
+//! matter from outside. Cost: linear per kept vertex.
 
 use crate::Refusal;
-use traverse_geometry::{CornerStyle, Orientation, Path, Point, Ring, Scene, left_of, orientation};
+use traverse_geometry::{CornerStyle, Obstacle, Orientation, Path, Point, Ring, Scene, left_of, orientation};
+use traverse_solve::{Budget, Interrupt};
 
-/// The candidates of the scan, the shortest first: one where start and target see each other, otherwise two.
-///
-/// # Errors
-/// [`Refusal::PublishedMethodNotApplicable`] for anything but one obstacle with straight edges, without holes,
-/// mitred corners or clearance 0, no work area, and both ends outside the barrier's convex hull.
-pub(crate) fn supporting_lines(scene: &Scene, start: Point, target: Point) -> Result<Vec<Path>, Refusal> {
-    let not = |why| Refusal::PublishedMethodNotApplicable { why };
-    let [obstacle] = scene.obstacles.as_slice() else {
-        return Err(not("the scene must hold exactly one obstacle"));
-    };
-    let clearance = scene.clearance_of(obstacle);
-    if scene.work_area.is_some() {
-        return Err(not("it knows no work area"));
-    }
-    if obstacle.shape.outer().has_arcs() {
-        return Err(not("the obstacle's edges must be straight"));
-    }
-    if clearance > 0.0 && scene.corner_style == CornerStyle::Round {
-        return Err(not("corners must be mitred"));
-    }
-    if clearance > 0.0 && matches!(scene.corner_style, CornerStyle::Miter { limit: Some(_) }) {
-        return Err(not("it knows no mitre limit"));
-    }
-    let barrier = control_points(obstacle.shape.outer(), clearance);
-    let hull = convex_hull(&barrier);
-    for end in [start, target] {
-        if !is_outside(&hull, end) {
+/// A request that the published scan covers.
+pub(crate) struct Scan {
+    barrier: Vec<Point>,
+    start: Point,
+    target: Point,
+}
+
+impl Scan {
+    /// # Errors
+    /// [`Refusal::PublishedMethodNotApplicable`] for anything but one obstacle with straight edges that does not touch
+    /// itself, mitred corners without a limit or clearance 0, no work area, and both ends outside the barrier's convex
+    /// hull.
+    pub(crate) fn of(scene: &Scene, start: Point, target: Point) -> Result<Self, Refusal> {
+        let not = |why| Refusal::PublishedMethodNotApplicable { why };
+        let obstacle = only_obstacle(scene).map_err(not)?;
+        let barrier = control_points(obstacle.shape.outer(), scene.clearance_of(obstacle));
+        let hull = convex_hull(&barrier);
+        if [start, target].iter().any(|&end| !is_outside(&hull, end)) {
             return Err(not("start and target must lie outside the convex hull of the barrier"));
         }
+        Ok(Self { barrier, start, target })
     }
-    if sees(&barrier, start, target) {
-        return Ok(vec![path_through(&[start, target])]);
+
+    /// The candidates of the scan, the shortest first; where both ends see each other, the straight line alone.
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(crate) fn candidates(&self, see_each_other: bool, budget: &Budget) -> Result<Vec<Path>, Interrupt> {
+        if see_each_other {
+            return Ok(vec![path_through(&[self.start, self.target])]);
+        }
+        let mut candidates = Vec::new();
+        for turn in [Turn::CounterClockwise, Turn::Clockwise] {
+            candidates.extend(
+                scan(&self.barrier, self.start, self.target, turn, budget)?.map(|way| path_through(&way)),
+            );
+        }
+        candidates.sort_by(|a, b| a.length().total_cmp(&b.length()));
+        Ok(candidates)
     }
-    let mut candidates: Vec<Path> = [Turn::CounterClockwise, Turn::Clockwise]
-        .into_iter()
-        .filter_map(|turn| scan(&barrier, start, target, turn))
-        .map(|points| path_through(&points))
-        .collect();
-    candidates.sort_by(|a, b| a.length().total_cmp(&b.length()));
-    Ok(candidates)
+}
+
+fn only_obstacle(scene: &Scene) -> Result<&Obstacle, &'static str> {
+    let [obstacle] = scene.obstacles.as_slice() else {
+        return Err("the scene must hold exactly one obstacle");
+    };
+    let (outer, clearance) = (obstacle.shape.outer(), scene.clearance_of(obstacle));
+    if scene.work_area.is_some() {
+        return Err("it knows no work area");
+    }
+    if outer.has_arcs() {
+        return Err("the obstacle's edges must be straight");
+    }
+    if outer.touches_itself() {
+        return Err("the obstacle must not touch itself");
+    }
+    if clearance > 0.0 && scene.corner_style == CornerStyle::Round {
+        return Err("corners must be mitred");
+    }
+    if clearance > 0.0 && matches!(scene.corner_style, CornerStyle::Miter { limit: Some(_) }) {
+        return Err("it knows no mitre limit");
+    }
+    Ok(obstacle)
 }
 
 /// In which sense the barrier is scanned; counter-clockwise keeps it on the left.
@@ -74,42 +101,48 @@ impl Turn {
     }
 }
 
-/// Start, kept vertices, target.
-fn scan(barrier: &[Point], start: Point, target: Point, turn: Turn) -> Option<Vec<Point>> {
+/// Start, kept vertices, target. None: the barrier has no support on that side.
+fn scan(
+    barrier: &[Point],
+    start: Point,
+    target: Point,
+    turn: Turn,
+    budget: &Budget,
+) -> Result<Option<Vec<Point>>, Interrupt> {
     let n = barrier.len();
-    let first = support(barrier, start, turn)?;
     // Towards the target the barrier lies on the same side; seen from there it is the other support.
-    let last = support_to(barrier, target, turn)?;
+    let (Some(first), Some(last)) = (support(barrier, start, turn), support_to(barrier, target, turn)) else {
+        return Ok(None);
+    };
     let step = |i: usize| match turn {
         Turn::CounterClockwise => (i + 1) % n,
         Turn::Clockwise => (i + n - 1) % n,
     };
     let mut left = vec![first];
-    let mut at = first;
-    while at != last {
-        at = step(at);
-        left.push(at);
-        if left.len() > n {
-            return None;
-        }
+    while left[left.len() - 1] != last {
+        left.push(step(left[left.len() - 1]));
     }
     let mut points = vec![start, barrier[first]];
     let mut kept = 0;
-    while left[kept] != last {
+    while kept + 1 < left.len() {
+        budget.check(0)?;
         let here = barrier[left[kept]];
         // The vertex whose line from here has all that is left on one side; the farthest of several in line.
-        kept = (kept + 1..left.len()).rev().find(|&candidate| {
-            let there = barrier[left[candidate]];
-            there != here
-                && left[kept + 1..]
-                    .iter()
-                    .all(|&other| orientation(here, there, barrier[other]) != turn.outside())
-        })?;
+        let mut next = kept + 1;
+        for candidate in kept + 2..left.len() {
+            let (best, other) = (barrier[left[next]], barrier[left[candidate]]);
+            let side = orientation(here, best, other);
+            let farther = (other - here).norm_squared() >= (best - here).norm_squared();
+            if side == turn.outside() || best == here || (side == Orientation::Straight && farther) {
+                next = candidate;
+            }
+        }
+        kept = next;
         points.push(barrier[left[kept]]);
     }
     points.push(target);
     points.dedup();
-    Some(points)
+    Ok(Some(points))
 }
 
 /// The vertex at which a line from `end` globally supports the barrier, which lies on its inner side.
@@ -126,23 +159,20 @@ fn support_to(barrier: &[Point], end: Point, turn: Turn) -> Option<usize> {
     supports(barrier, end, outside)
 }
 
-/// The vertex whose line from `end` leaves no vertex on the `outside`; the nearest of several in line.
+/// The vertex whose line from `end` leaves no vertex on the `outside`; the nearest of several in line. None: `end` is
+/// a vertex of the barrier, or lies within its hull.
 fn supports(barrier: &[Point], end: Point, outside: Orientation) -> Option<usize> {
-    (0..barrier.len())
-        .filter(|&i| barrier[i] != end && barrier.iter().all(|&p| orientation(end, barrier[i], p) != outside))
-        .min_by(|&i, &j| (barrier[i] - end).norm().total_cmp(&(barrier[j] - end).norm()))
-}
-
-/// No barrier edge crosses the segment properly.
-fn sees(barrier: &[Point], a: Point, b: Point) -> bool {
-    let n = barrier.len();
-    (0..n).all(|i| !crosses_properly(a, b, barrier[i], barrier[(i + 1) % n]))
-}
-
-fn crosses_properly(a: Point, b: Point, c: Point, d: Point) -> bool {
-    let apart =
-        |p: Orientation, q: Orientation| p != Orientation::Straight && q != Orientation::Straight && p != q;
-    apart(orientation(a, b, c), orientation(a, b, d)) && apart(orientation(c, d, a), orientation(c, d, b))
+    let mut best = 0;
+    for (i, &p) in barrier.iter().enumerate() {
+        let side = orientation(end, barrier[best], p);
+        let nearer = (p - end).norm_squared() < (barrier[best] - end).norm_squared();
+        if side == outside || (side == Orientation::Straight && nearer) {
+            best = i;
+        }
+    }
+    let supports =
+        barrier[best] != end && barrier.iter().all(|&p| orientation(end, barrier[best], p) != outside);
+    supports.then_some(best)
 }
 
 /// Where the parallels at `clearance` of neighbouring edges meet, counter-clockwise.
@@ -194,7 +224,7 @@ fn convex_hull(points: &[Point]) -> Vec<Point> {
     hull
 }
 
-/// Outside or on the border, but not in line with a hull edge that it touches.
+/// Outside, not on the border.
 fn is_outside(hull: &[Point], p: Point) -> bool {
     let n = hull.len();
     (0..n).any(|i| orientation(hull[i], hull[(i + 1) % n], p) == Orientation::Right)

@@ -471,3 +471,20 @@ fn corners_that_are_smooth_but_for_rounding_leave_no_gap() {
         }
     }
 }
+
+#[test]
+fn an_end_where_many_obstacles_meet_leaves_through_every_gap() {
+    // Twelve thin triangles about the origin.
+    let at = |k: u32, part: f64| {
+        traverse_geometry::unit((f64::from(k) + part) * std::f64::consts::TAU / 12.0) * 10.0
+    };
+    let blades = (0..12).map(|k| {
+        let (a, b) = (at(k, 0.0), at(k, 0.4));
+        polygon(&[(0.0, 0.0), (a.x, a.y), (b.x, b.y)])
+    });
+    let fan = scene(blades, 0.0);
+    for k in 0..12 {
+        let gap = at(k, 0.7);
+        assert_close(plan(&fan, point(0.0, 0.0), point(gap.x, gap.y)).cost, 10.0, &format!("gap {k}"));
+    }
+}

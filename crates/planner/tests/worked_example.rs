@@ -95,3 +95,39 @@ fn what_the_paper_does_not_cover_is_refused() {
     let refusals = scan(&base, point(10.0, 6.8), target).unwrap_err();
     assert!(matches!(refusals.as_slice(), [Refusal::PublishedMethodNotApplicable { .. }]), "{refusals:?}");
 }
+
+#[test]
+fn a_line_through_two_corners_is_no_line_of_sight() {
+    let square = scene([rectangle(0.0, 0.0, 10.0, 10.0)], 0.0);
+    let (start, target) = (point(-5.0, -5.0), point(15.0, 15.0));
+    let plan = scan(&square, start, target).unwrap();
+    assert!((plan.cost - 2.0 * 250.0_f64.sqrt()).abs() < 1e-9, "{}", plan.cost);
+    assert_eq!(plan.alternatives.len(), 2);
+    assert_sound(&square, start, target, &plan);
+}
+
+#[test]
+fn every_scan_is_sound_and_bounded_by_the_exact_plan() {
+    use rand::RngExt;
+    let mut scanned = 0;
+    for case in 0..400 {
+        let mut random = traverse_solve::Seed(21).part(case).stream();
+        let corners = random.random_range(3..12);
+        let shape = support::star(&mut random, point(0.0, 0.0), 20.0, corners);
+        let clearance = if case % 2 == 0 { 0.0 } else { random.random_range(0.1..3.0) };
+        let scene = support::mitred(scene([shape], clearance));
+        let mut end = || point(random.random_range(-40.0..40.0), random.random_range(-40.0..40.0));
+        let (start, target) = (end(), end());
+        if let Ok(found) = scan(&scene, start, target) {
+            scanned += 1;
+            assert_sound(&scene, start, target, &found);
+            assert!(found.lower_bound <= found.cost);
+            let exact = plan(&scene, start, target).cost;
+            assert!(
+                (found.cost - exact).abs() < 1e-9,
+                "case {case}: round one convex hull the scan is exact"
+            );
+        }
+    }
+    assert!(scanned > 100, "{scanned}");
+}

@@ -80,6 +80,11 @@ refusals! {
         /// Known so far: no plan costs less.
         lower_bound: f64,
     } = "ITERATION_LIMIT_REACHED",
+    /// The search outgrew the memory that it may use.
+    SearchTooLarge {
+        /// Known so far: no plan costs less.
+        lower_bound: f64,
+    } = "SEARCH_TOO_LARGE",
     /// Every core is busy and nothing more may wait.
     QueueFull {
         /// What is full, and its limit.
@@ -131,6 +136,7 @@ impl Refused {
             Interrupt::Deadline => Self::TimeLimitReached { lower_bound },
             Interrupt::Iterations => Self::IterationLimitReached { lower_bound: lower_bound.unwrap_or(0.0) },
             Interrupt::Cancelled => Self::Cancelled,
+            Interrupt::Memory => Self::SearchTooLarge { lower_bound: lower_bound.unwrap_or(0.0) },
         }
     }
 

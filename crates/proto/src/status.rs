@@ -32,6 +32,7 @@ impl Refused {
             Self::MessageTooLarge { .. }
             | Self::AnswerTooLarge { .. }
             | Self::IterationLimitReached { .. }
+            | Self::SearchTooLarge { .. }
             | Self::QueueFull { .. } => Code::ResourceExhausted,
             Self::TimeLimitReached { .. } => Code::DeadlineExceeded,
             Self::ServerDraining => Code::Unavailable,
@@ -87,6 +88,11 @@ impl Refused {
                 "the time limit was reached before an answer was proven: give rules.options.time_limit or the call's deadline more time, or the scene fewer vertices"
                     .to_owned()
             }
+            Self::SearchTooLarge { .. } => {
+                "the search outgrew the memory that it may use; leave out obstacles that are far from the way, or simplify \
+                 their outlines"
+                    .to_owned()
+            }
             Self::IterationLimitReached { .. } => {
                 "the iteration limit was reached before an answer was proven: raise rules.options.iteration_limit".to_owned()
             }
@@ -135,7 +141,9 @@ impl Refused {
                 vec![("bytes", bytes.to_string()), ("limit_bytes", limit.to_string())]
             }
             Self::TimeLimitReached { lower_bound: Some(bound) } => vec![("lower_bound", bound.to_string())],
-            Self::IterationLimitReached { lower_bound } => vec![("lower_bound", lower_bound.to_string())],
+            Self::IterationLimitReached { lower_bound } | Self::SearchTooLarge { lower_bound } => {
+                vec![("lower_bound", lower_bound.to_string())]
+            }
             Self::Internal { id } => vec![("id", id.clone())],
             _ => Vec::new(),
         };

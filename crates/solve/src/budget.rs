@@ -36,6 +36,8 @@ pub enum Interrupt {
     Iterations,
     /// Cancelled.
     Cancelled,
+    /// The work outgrew the memory that an engine allows itself.
+    Memory,
 }
 
 /// How long an engine may work.

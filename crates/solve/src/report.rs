@@ -11,7 +11,6 @@ pub enum StopReason {
     Interrupted(Interrupt),
 }
 
-
 /// How a plan was reached and how good it is known to be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {

@@ -53,7 +53,8 @@ pub struct GcodeMoves {
 /// Blocks that move along `path` and leave motion mode and F as `after` says.
 ///
 /// The tool must stand at the path's start; the plane and the unit of the settings, G90, G91.1 and G94 must be in
-/// force, and no cutter compensation. Positions are absolute. A step that is shorter than the last decimal place is
+/// force, and no cutter compensation. Positions are absolute, and off the path by up to 0.71 of the last decimal place:
+/// plan with that much more clearance where it matters. A step that is shorter than the last decimal place is
 /// left out. Arcs of more than three quarters of a turn are split in two; an arc whose chord is within half a last
 /// place is moved straight.
 ///

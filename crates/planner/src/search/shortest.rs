@@ -33,6 +33,7 @@ pub(crate) fn shortest(
     };
     search.begin();
     while let Some(Reverse((_, _, index))) = search.open.pop() {
+        budget.check(*expanded)?;
         let label = search.labels[index];
         if search.is_served(&label) || search.is_blocked(&label) {
             continue;
@@ -40,12 +41,14 @@ pub(crate) fn shortest(
         if label.place == Place::Target {
             return Ok(Some(search.route(index)));
         }
-        budget.check(*expanded)?;
         *expanded += 1;
         search.expand(index, budget)?;
     }
     Ok(None)
 }
+
+/// Most labels of one search: about 400 MB.
+const LABEL_LIMIT: usize = 2_000_000;
 
 /// An order of costs for the heap; costs are finite and not negative, so their bits sort as they do.
 type Priority = u64;
@@ -133,15 +136,15 @@ impl<'a> Search<'a> {
             self.push_target(index, &from, place);
         }
         for other in (0..self.relaxation.features.len()).filter(|&other| Some(other) != left_feature) {
-            // A label may meet a hundred thousand features.
-            if other % 4096 == 4095 {
+            // A label may meet a hundred thousand features, each with thousands of blockers near it.
+            if other % 8 == 7 {
                 budget.check(0)?;
             }
             for side in Side::BOTH {
                 self.push_tangent(index, &from, other, side);
             }
         }
-        Ok(())
+        if self.labels.len() > LABEL_LIMIT { Err(Interrupt::Memory) } else { Ok(()) }
     }
 
     fn departure(&self, label: &Label, lane: Lane, offset: f64) -> Departure<'a> {
