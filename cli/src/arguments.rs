@@ -3,6 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::net::SocketAddr;
 use std::path::PathBuf;
+use std::time::Duration;
 use traverse_geometry::Point;
 
 /// Plans how a cutting machine travels: the shortest collision-free rapid move, proven.
@@ -62,15 +63,15 @@ pub(crate) struct Rapid {
     /// Where it has to go, millimetres.
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     pub(crate) to: Point,
-    /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
-    pub(crate) clearance: f64,
+    /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin. May come from --machine.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, required_unless_present = "machine")]
+    pub(crate) clearance: Option<f64>,
     /// Distance kept from the work area's border, millimetres. Default: the clearance.
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     pub(crate) border_clearance: Option<f64>,
-    /// How barriers turn convex corners.
-    #[arg(long, value_enum, default_value_t = Corner::Round)]
-    pub(crate) corner: Corner,
+    /// How barriers turn convex corners. Default: round.
+    #[arg(long, value_enum)]
+    pub(crate) corner: Option<Corner>,
     /// By which method.
     #[arg(long, value_enum, default_value_t = Method::Exact)]
     pub(crate) algorithm: Method,
@@ -83,10 +84,20 @@ pub(crate) struct Rapid {
     /// Ends of lines that are no farther apart are joined, millimetres.
     #[arg(long, value_name = "MM", default_value_t = traverse_drawing::JOIN_TOLERANCE_MM)]
     pub(crate) join: f64,
+    /// Stop after this long, seconds. Default: the server's.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub(crate) time_limit: Option<Duration>,
+    /// TOML file of machine profiles: layers, clearances, G-code. What is said here on the command line goes first.
+    #[arg(long, value_name = "FILE", requires = "machine")]
+    pub(crate) machines: Option<PathBuf>,
+    /// Name of the machine in the file of profiles.
+    #[arg(long, value_name = "NAME", requires = "machines")]
+    pub(crate) machine: Option<String>,
     /// Plan although parts of the drawing could not be used: the path may run through them.
     #[arg(long)]
     pub(crate) ignore_unused: bool,
-    /// Writes the plan: .svg a picture, .json a PlanRapidMoveResponse. Repeat for both.
+    /// Writes the plan: .svg a picture, .json a PlanRapidMoveResponse, .dxf a drawing, .nc G-code for --machine. Repeat
+    /// for more.
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
     /// Writes the PlanRapidMoveRequest as JSON, for `traverse check` and `traverse call`.
@@ -143,6 +154,13 @@ pub(crate) struct Demo {
     /// Where the pictures go.
     #[arg(long, value_name = "FOLDER", default_value = "out/demo")]
     pub(crate) out: PathBuf,
+}
+
+/// A time in seconds.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let wrong = || format!("{text} is no time; write seconds, such as 2.5");
+    let seconds: f64 = text.parse().map_err(|_| wrong())?;
+    Duration::try_from_secs_f64(seconds).map_err(|_| wrong())
 }
 
 /// `X,Y` in millimetres.

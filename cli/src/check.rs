@@ -24,15 +24,15 @@ pub(crate) async fn run(arguments: Check) -> Result<(), Failure> {
         tolerance_mm: arguments.tolerance,
     };
     let found = planning::check(&planning::caller(arguments.server.as_deref())?, &question).await?;
-    println!("cost, recomputed    {:.6} mm (the plan says {:.6})", found.cost, plan.cost);
+    say!("cost, recomputed    {:.6} mm (the plan says {:.6})", found.cost, plan.cost);
     if let Some(margin) = found.smallest_margin_mm {
-        println!("smallest margin     {margin:.9} mm");
+        say!("smallest margin     {margin:.9} mm");
     }
     for violation in &found.violations {
-        println!("{} {}: {}", violation.reason, violation.field, violation.message);
+        say!("{} {}: {}", violation.reason, violation.field, violation.message);
     }
     if found.violations.is_empty() {
-        println!("sound");
+        say!("sound");
         return Ok(());
     }
     Err(Failure::Violations(format!("{} violations", found.violations.len())))

@@ -116,20 +116,20 @@ pub(crate) async fn run(arguments: Demo) -> Result<(), Failure> {
     let address = listener.local_addr().map_err(|error| Failure::Internal(error.to_string()))?;
     let (stop, stopped) = tokio::sync::oneshot::channel::<()>();
     let serving = tokio::spawn(server.serve(listener, async move { stopped.await.unwrap_or_default() }));
-    println!("A server listens on http://{address}; every move below goes to it over gRPC and back.\n");
+    say!("A server listens on http://{address}; every move below goes to it over gRPC and back.\n");
     let mut client = PlannerServiceClient::connect(format!("http://{address}"))
         .await
         .map_err(|error| Failure::Unreachable(format!("{address}: {error}")))?;
-    println!("{HEADER}");
+    say!("{HEADER}");
     for wanted in &MOVES {
         let row = show(wanted, &mut client, &arguments).await?;
-        println!("{row}");
+        say!("{row}");
     }
-    println!(
+    say!(
         "\nLengths in mm. Proven: no collision-free path is shorter. Checked: by code that shares nothing with the"
     );
-    println!("planner. Search: in the engine; call: until the answer was here.");
-    println!("Pictures: {}/*.svg", arguments.out.display());
+    say!("planner. Search: in the engine; call: until the answer was here.");
+    say!("Pictures: {}/*.svg", arguments.out.display());
     drop(client);
     stop.send(()).ok();
     serving

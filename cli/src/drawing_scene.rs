@@ -4,18 +4,20 @@ use crate::arguments::{Corner, Rapid};
 use crate::failure::Failure;
 use crate::input;
 use traverse_drawing::{
-    LayerPattern, ReadOptions, Roles, SceneFromDrawing, SceneOptions, read_dxf, scene_from_drawing,
+    LayerPattern, Machine, Profiles, ReadOptions, SceneFromDrawing, SceneOptions, read_dxf,
+    scene_from_drawing,
 };
 use traverse_geometry::CornerStyle;
 
 /// The scene that `arguments` ask for; the report goes to standard error.
-pub(crate) fn scene(arguments: &Rapid) -> Result<SceneFromDrawing, Failure> {
+pub(crate) fn scene(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneFromDrawing, Failure> {
     let path = arguments.drawing.display();
+    let options = options(arguments, machine)?;
     let bytes = input::read(&arguments.drawing)?;
     let drawing = read_dxf(&bytes, &ReadOptions::default())
         .map_err(|error| Failure::Input(format!("{path}: {error}")))?;
-    let found = scene_from_drawing(&drawing, &options(arguments))
-        .map_err(|error| Failure::Input(format!("{path}: {error}")))?;
+    let found =
+        scene_from_drawing(&drawing, &options).map_err(|error| Failure::Input(format!("{path}: {error}")))?;
     eprint!("{}", found.report);
     if !found.report.is_complete() && !arguments.ignore_unused {
         return Err(Failure::Input(format!(
@@ -26,23 +28,41 @@ pub(crate) fn scene(arguments: &Rapid) -> Result<SceneFromDrawing, Failure> {
     Ok(found)
 }
 
-fn options(arguments: &Rapid) -> SceneOptions {
-    let mut roles = Roles::default();
+/// The machine that `arguments` name, if any.
+pub(crate) fn machine(arguments: &Rapid) -> Result<Option<Machine>, Failure> {
+    let (Some(file), Some(name)) = (&arguments.machines, &arguments.machine) else { return Ok(None) };
+    let bytes = input::read(file)?;
+    let profiles = Profiles::read_from(&*bytes, &file.display().to_string());
+    let found = profiles.and_then(|profiles| profiles.machine(name).cloned());
+    found.map(Some).map_err(|error| Failure::Input(error.to_string()))
+}
+
+/// The machine's settings, and those of the command line over them.
+fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneOptions, Failure> {
+    let stated = arguments.clearance.or_else(|| machine.and_then(|machine| machine.clearance_mm));
+    let Some(clearance_mm) = stated else {
+        return Err(Failure::Input(
+            "no clearance is known; pass --clearance MM or state it in the profile".to_owned(),
+        ));
+    };
+    let mut options = SceneOptions::new(clearance_mm);
+    if let Some(machine) = machine {
+        machine.apply_to(&mut options);
+        options.clearance_mm = clearance_mm;
+    }
     let patterns = |names: &[String]| names.iter().map(|name| LayerPattern::new(name)).collect::<Vec<_>>();
     if !arguments.work_area.is_empty() {
-        roles.work_area = patterns(&arguments.work_area);
+        options.roles.work_area = patterns(&arguments.work_area);
     }
     if !arguments.obstacles.is_empty() {
-        roles.obstacles = patterns(&arguments.obstacles);
+        options.roles.obstacles = patterns(&arguments.obstacles);
     }
-    SceneOptions {
-        roles,
-        join_tolerance_mm: arguments.join,
-        clearance_mm: arguments.clearance,
-        work_area_clearance_mm: arguments.border_clearance,
-        corner_style: match arguments.corner {
-            Corner::Round => CornerStyle::Round,
-            Corner::Miter => CornerStyle::Miter { limit: None },
-        },
+    options.join_tolerance_mm = arguments.join;
+    options.work_area_clearance_mm = arguments.border_clearance.or(options.work_area_clearance_mm);
+    match arguments.corner {
+        Some(Corner::Round) => options.corner_style = CornerStyle::Round,
+        Some(Corner::Miter) => options.corner_style = CornerStyle::Miter { limit: None },
+        None => {}
     }
+    Ok(options)
 }

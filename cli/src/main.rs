@@ -1,5 +1,13 @@
 //! `traverse`: rapid moves from drawings, in process or against a server; `traverse serve` starts one.
 
+/// Writes a line to standard output; whoever closed it does not want to know.
+macro_rules! say {
+    ($($line:tt)*) => {{
+        use std::io::Write;
+        writeln!(std::io::stdout(), $($line)*).ok();
+    }};
+}
+
 mod arguments;
 mod call;
 mod check;

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::{drawing_scene, input, planning};
 use std::path::Path as FilePath;
 use std::time::Duration;
-use traverse_drawing::{Shown, picture_of_plan};
-use traverse_geometry::Scene;
+use traverse_drawing::{Machine, Shown, picture_of_plan, write_dxf, write_gcode};
+use traverse_geometry::{Path, Scene};
 use traverse_planner::{Algorithm, RapidMove};
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::{path_from_wire, plan_request, v1};
@@ -15,12 +15,18 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
     for output in &arguments.output {
         kind_of(output)?;
     }
-    let scene = drawing_scene::scene(&arguments)?.scene;
+    let machine = drawing_scene::machine(&arguments)?;
+    let scene = drawing_scene::scene(&arguments, machine.as_ref())?.scene;
     let algorithm = match arguments.algorithm {
         Method::Exact => Algorithm::Exact,
         Method::SupportingLines => Algorithm::SupportingLines,
     };
-    let request = plan_request(&scene, &RapidMove { start: arguments.from, target: arguments.to, algorithm });
+    let mut request =
+        plan_request(&scene, &RapidMove { start: arguments.from, target: arguments.to, algorithm });
+    if let (Some(limit), Some(rules)) = (arguments.time_limit, &mut request.rules) {
+        let time_limit = prost_types::Duration::try_from(limit).ok();
+        rules.options = Some(v1::SolveOptions { time_limit, ..Default::default() });
+    }
     if let Some(path) = &arguments.request {
         input::write(path, planning::request_json("PlanRapidMove", &request)?)?;
     }
@@ -31,8 +37,12 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         match kind_of(output)? {
             Output::Json => input::write(output, &text)?,
             Output::Picture => input::write(output, picture(&scene, &request, &answer, &title)?)?,
+            Output::Drawing | Output::Program => {
+                let Some(path) = path_of(&answer)? else { continue };
+                input::write(output, written(&path, &scene, machine.as_ref(), output)?)?;
+            }
         }
-        println!("wrote {}", output.display());
+        say!("wrote {}", output.display());
     }
     report(&scene, &arguments, &answer)
 }
@@ -40,13 +50,56 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
 enum Output {
     Picture,
     Json,
+    Drawing,
+    Program,
+}
+
+/// The path as a drawing or as G-code.
+fn written(
+    path: &Path,
+    scene: &Scene,
+    machine: Option<&Machine>,
+    output: &FilePath,
+) -> Result<String, Failure> {
+    let name = output.display();
+    if matches!(kind_of(output)?, Output::Drawing) {
+        return write_dxf(path, Some(scene)).map_err(|error| Failure::Input(format!("{name}: {error}")));
+    }
+    let Some(settings) = machine.and_then(|machine| machine.gcode.as_ref()) else {
+        return Err(Failure::Input(format!(
+            "{name}: G-code differs by machine; pass --machines FILE and --machine NAME of a profile with [gcode]"
+        )));
+    };
+    let program = write_gcode(path, settings).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+    if program.moves.straightened_arc_count > 0 {
+        eprintln!(
+            "{name}: {} arcs are too small for the decimals and run as chords outside them",
+            program.moves.straightened_arc_count
+        );
+    }
+    Ok(program.text)
+}
+
+/// The answer's path, if it has one.
+fn path_of(answer: &v1::PlanRapidMoveResponse) -> Result<Option<Path>, Failure> {
+    match &answer.outcome {
+        Some(Outcome::Plan(plan)) => path_from_wire(plan.path.clone().unwrap_or_default())
+            .map(Some)
+            .map_err(|refused| Failure::Internal(refused.message())),
+        _ => Ok(None),
+    }
 }
 
 fn kind_of(path: &FilePath) -> Result<Output, Failure> {
     match path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).as_deref() {
         Some("svg") => Ok(Output::Picture),
         Some("json") => Ok(Output::Json),
-        _ => Err(Failure::Input(format!("{}: write to a file that ends in .svg or .json", path.display()))),
+        Some("dxf") => Ok(Output::Drawing),
+        Some("nc" | "ngc" | "gcode" | "tap") => Ok(Output::Program),
+        _ => Err(Failure::Input(format!(
+            "{}: write to a file that ends in .svg or .json, .dxf or .nc",
+            path.display()
+        ))),
     }
 }
 
@@ -61,9 +114,8 @@ pub(crate) fn picture(
         point.as_ref().map_or_else(Default::default, |p| traverse_geometry::Point::new(p.x_mm, p.y_mm))
     };
     Ok(match &answer.outcome {
-        Some(Outcome::Plan(plan)) => {
-            let path = path_from_wire(plan.path.clone().unwrap_or_default())
-                .map_err(|refused| Failure::Internal(refused.message()))?;
+        Some(Outcome::Plan(_)) => {
+            let path = path_of(answer)?.unwrap_or_else(|| Path::at(point(&request.start)));
             picture_of_plan(scene, Shown::Path(&path), title)
         }
         Some(Outcome::NoPath(no_path)) => {
@@ -85,11 +137,11 @@ fn report(scene: &Scene, arguments: &Rapid, answer: &v1::PlanRapidMoveResponse) 
             let steps = plan.path.as_ref().map_or(0, |path| path.steps.len());
             let arcs =
                 plan.path.iter().flat_map(|path| &path.steps).filter(|step| step.arc.is_some()).count();
-            println!("length       {:.6} mm (straight line {straight:.6})", plan.cost);
+            say!("length       {:.6} mm (straight line {straight:.6})", plan.cost);
             let proven = if plan.lower_bound == plan.cost { ", proven shortest" } else { "" };
-            println!("lower bound  {:.6} mm{proven}", plan.lower_bound);
-            println!("steps        {steps}, of which {arcs} are arcs");
-            println!(
+            say!("lower bound  {:.6} mm{proven}", plan.lower_bound);
+            say!("steps        {steps}, of which {arcs} are arcs");
+            say!(
                 "goes round   {}",
                 if plan.bending_obstacle_ids.is_empty() {
                     "nothing".to_owned()
@@ -98,10 +150,10 @@ fn report(scene: &Scene, arguments: &Rapid, answer: &v1::PlanRapidMoveResponse) 
                 }
             );
             for alternative in &plan.alternatives {
-                println!("candidate    {:.6} mm", alternative.length_mm);
+                say!("candidate    {:.6} mm", alternative.length_mm);
             }
             if let Some(search) = answer.stats.as_ref().and_then(|stats| stats.search_duration) {
-                println!("search       {:?} among {} obstacles", duration(&search), scene.obstacles.len());
+                say!("search       {:?} among {} obstacles", duration(&search), scene.obstacles.len());
             }
             Ok(())
         }

@@ -186,3 +186,23 @@ fn the_demo_plans_checks_and_draws() {
     assert_eq!(rows.iter().filter(|row| row.contains("no path")).count(), 1, "{table}");
     assert_eq!(std::fs::read_dir(out).unwrap().count(), rows.len());
 }
+
+#[test]
+fn a_machine_profile_gives_clearance_and_g_code() {
+    let planned = Planned { folder: tempfile::tempdir().unwrap() };
+    let machines =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples/machines.toml").display().to_string();
+    let (shaft, nc, dxf) = (drawing("turned-shaft.dxf"), planned.name("plan.nc"), planned.name("plan.dxf"));
+    let base =
+        ["rapid", &shaft, "--from", "100,38", "--to", "206,38", "-o", &nc, "-o", &dxf, "--time-limit", "30"];
+    let ask = |more: &[&str]| traverse(&base.iter().chain(more).copied().collect::<Vec<_>>());
+    assert_ends(&ask(&["--machines", &machines, "--machine", "lathe-2"]), 0, "130.986");
+    let program = std::fs::read_to_string(planned.path("plan.nc")).unwrap();
+    for word in ["O0002", "G18", "G2", "X132.", "Z206."] {
+        assert!(program.contains(word), "{word} is not in: {program}");
+    }
+    assert!(std::fs::read_to_string(planned.path("plan.dxf")).unwrap().contains("TRAVERSE_PATH"));
+    assert_ends(&ask(&["--machines", &machines, "--machine", "mill-9"]), 3, "lathe-2");
+    assert_ends(&ask(&["--clearance", "4"]), 3, "--machine NAME");
+    assert_ends(&ask(&["--clearance", "4", "--machine", "lathe-2"]), 2, "--machines");
+}
