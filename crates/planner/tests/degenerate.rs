@@ -1,12 +1,12 @@
 //! Input that breaks planners: contact, collinearity, thin things, far origins.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use support::{answer, assert_close, disc, mitred, no_path, plan, point, polygon, rectangle, ring, scene};
-use traverse_geometry::{CONTACT_TOLERANCE_MM, CornerStyle, Obstacle, Point, Polygon, Ring, Scene};
+use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, Ring, Scene};
 use traverse_planner::{Answer, Refusal};
-
-const SQRT_2: f64 = std::f64::consts::SQRT_2;
 
 #[test]
 fn nothing_in_the_way_is_a_straight_line_and_no_way_is_no_step() {

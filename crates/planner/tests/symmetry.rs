@@ -1,5 +1,7 @@
 //! The same scene moved, mirrored, turned, reordered or run backwards costs the same.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use rand::RngExt;

@@ -1,5 +1,7 @@
 //! Contact: borders, touching and overlapping obstacles, things of no width, gaps of just the clearance.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use support::{assert_close, disc, mitred, no_path, plan, point, polygon, rectangle, scene};

@@ -1,5 +1,7 @@
 //! The worked example of the 2008 paper, and what its method refuses.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use support::{assert_sound, plan, point, polygon, rectangle, scene};
