@@ -20,6 +20,10 @@ pub const VIOLATION_LIMIT: usize = 1000;
 /// Least tolerance that is used, millimetres: below it rounding alone would decide.
 pub const SMALLEST_TOLERANCE_MM: f64 = 1e-9;
 
+/// A path that touches or crosses more edges of clearance 0 is not looked at for passages between obstacles that touch:
+/// that test needs memory for each.
+const TOUCH_LIMIT: usize = 500_000;
+
 /// What checking a path found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathCheck {
@@ -130,6 +134,7 @@ impl<'a> RapidMoveChecker<'a> {
             unsure: BTreeSet::new(),
             pierced: BTreeSet::new(),
             touched: vec![Vec::new(); steps.len()],
+            touches: 0,
         };
         for (index, step) in steps.iter().enumerate() {
             if !go_on() {
@@ -177,6 +182,8 @@ struct Walk<'a> {
     pierced: BTreeSet<(usize, u32)>,
     /// Edges of solids with clearance 0 within the tolerance of each step.
     touched: Vec<Vec<u32>>,
+    /// How many they are.
+    touches: usize,
 }
 
 impl Walk<'_> {
@@ -205,7 +212,8 @@ impl Walk<'_> {
                     self.report_depth(index, solid, worst, !parts.is_empty());
                 }
             }
-            if self.around.boundary.solids[solid as usize].clearance == 0.0 {
+            if self.around.boundary.solids[solid as usize].clearance == 0.0 && self.touches < TOUCH_LIMIT {
+                self.touches += approach.touched.len();
                 self.touched[index].extend(approach.touched);
             }
         }
@@ -282,7 +290,7 @@ impl Walk<'_> {
     /// Reports where the path passes between what touches, unless it goes through the same solid anyway.
     fn passages(&mut self, steps: &[Option<Curve>], go_on: &dyn Fn() -> bool) {
         let Surroundings { boundary, tree, tolerance } = self.around;
-        if self.touched.iter().all(Vec::is_empty) {
+        if self.touches == 0 || self.touches >= TOUCH_LIMIT {
             return;
         }
         let strip = Strip::along(steps, tolerance);

@@ -57,7 +57,7 @@ pub(crate) fn passages(
     go_on: &dyn Fn() -> bool,
 ) -> Vec<Passage> {
     let mut groups = Groups::default();
-    let covered = covered_ends(boundary, tree, strip, edges);
+    let covered = covered_ends(boundary, tree, strip, edges, go_on);
     // The pieces of every edge along every step.
     let mut by_edge: HashMap<(usize, u32), Vec<usize>> = HashMap::new();
     let mut pairs = PAIR_LIMIT;
@@ -85,7 +85,7 @@ pub(crate) fn passages(
             by_edge.entry((at, groups.pieces[piece].edge)).or_default().push(piece);
         }
     }
-    for (at, step_edges) in edges.iter().enumerate() {
+    for (at, step_edges) in edges.iter().enumerate().take_while(|_| go_on()) {
         let joint = strip.steps[at].curve.end();
         for next in strip.following(at) {
             for &edge in step_edges {
@@ -110,9 +110,10 @@ fn covered_ends(
     tree: &BoundaryTree,
     strip: &Strip,
     edges: &[Vec<u32>],
+    go_on: &dyn Fn() -> bool,
 ) -> Vec<(usize, u32, f64, Wall)> {
     let mut covered = Vec::new();
-    for (at, fraction) in strip.end_sections() {
+    for (at, fraction) in strip.end_sections().into_iter().take_while(|_| go_on()) {
         let section = Section::across(boundary, &strip.steps[at].curve, fraction, &edges[at], strip.reach);
         let right = section.cover_right(boundary, tree).and(section.lines.first());
         let left = section.cover_left(boundary, tree).and(section.lines.last());

@@ -10,6 +10,9 @@ use std::ops::ControlFlow;
 /// Boxes in one leaf.
 const LEAF_SIZE: usize = 8;
 
+/// Subtrees larger than this ask whether to go on before they are split.
+const ITEMS_PER_QUESTION: usize = 4096;
+
 /// Units of work between two questions whether to go on: well under a millisecond.
 const UNITS_PER_QUESTION: u64 = 1 << 14;
 
@@ -23,6 +26,11 @@ pub(crate) struct Work<'a> {
 impl<'a> Work<'a> {
     pub(crate) fn new(limit: u64, go_on: &'a dyn Fn() -> bool) -> Self {
         Self { left: limit, ask_at: limit, go_on }
+    }
+
+    /// The question whether to go on.
+    pub(crate) fn question(&self) -> &'a dyn Fn() -> bool {
+        self.go_on
     }
 
     /// Spends `units`; breaks when they are not there.
@@ -66,11 +74,13 @@ pub(crate) struct BoxTree {
 }
 
 impl BoxTree {
-    pub(crate) fn new(boxes: &[Bounds]) -> Self {
+    /// The tree over `boxes`. When `go_on` says no, what is left stays one leaf: whoever asks the same question with
+    /// its [`Work`] breaks off before it gets there.
+    pub(crate) fn new(boxes: &[Bounds], go_on: &dyn Fn() -> bool) -> Self {
         let mut items: Vec<u32> = (0..boxes.len() as u32).collect();
         let mut nodes = Vec::with_capacity(boxes.len() / 2 + 1);
         if !items.is_empty() {
-            build(boxes, &mut items, 0, &mut nodes);
+            build(boxes, &mut items, 0, &mut nodes, go_on);
         }
         let boxes = items.iter().map(|&item| boxes[item as usize]).collect();
         Self { items, boxes, nodes }
@@ -187,7 +197,7 @@ impl BoxTree {
     }
 }
 
-fn build(boxes: &[Bounds], items: &mut [u32], first: usize, nodes: &mut Vec<Node>) {
+fn build(boxes: &[Bounds], items: &mut [u32], first: usize, nodes: &mut Vec<Node>, go_on: &dyn Fn() -> bool) {
     let (mut bounds, mut centers) = (Bounds::EMPTY, Bounds::EMPTY);
     for &item in items.iter() {
         let of_item = boxes[item as usize];
@@ -196,7 +206,7 @@ fn build(boxes: &[Bounds], items: &mut [u32], first: usize, nodes: &mut Vec<Node
     }
     let node = nodes.len();
     nodes.push(Node { bounds, first, last: first + items.len(), right: None });
-    if items.len() <= LEAF_SIZE {
+    if items.len() <= LEAF_SIZE || (items.len() > ITEMS_PER_QUESTION && !go_on()) {
         return;
     }
     let half = items.len() / 2;
@@ -204,9 +214,9 @@ fn build(boxes: &[Bounds], items: &mut [u32], first: usize, nodes: &mut Vec<Node
     let key = |item: u32| boxes[item as usize].min[axis] + boxes[item as usize].max[axis];
     items.select_nth_unstable_by(half, |&a, &b| key(a).total_cmp(&key(b)));
     let (left, right) = items.split_at_mut(half);
-    build(boxes, left, first, nodes);
+    build(boxes, left, first, nodes, go_on);
     nodes[node].right = Some(nodes.len());
-    build(boxes, right, first + half, nodes);
+    build(boxes, right, first + half, nodes, go_on);
 }
 
 #[cfg(test)]
@@ -227,7 +237,7 @@ mod tests {
         #[test]
         fn every_meeting_pair_comes_once(boxes in boxes()) {
             let mut found = Vec::new();
-            let done = BoxTree::new(&boxes).pairs(&mut Work::new(u64::MAX, &|| true), &mut |_, a, b| {
+            let done = BoxTree::new(&boxes, &|| true).pairs(&mut Work::new(u64::MAX, &|| true), &mut |_, a, b| {
                 found.push((a.min(b), a.max(b)));
                 ControlFlow::Continue(())
             });
@@ -242,7 +252,7 @@ mod tests {
         fn every_box_at_a_target_comes_once(boxes in boxes()) {
             let target = Bounds::of([Point::new(10.0, 10.0), Point::new(20.0, 14.0)]);
             let mut found = Vec::new();
-            let done = BoxTree::new(&boxes).meeting(&target, &mut Work::new(u64::MAX, &|| true), &mut |i| found.push(i));
+            let done = BoxTree::new(&boxes, &|| true).meeting(&target, &mut Work::new(u64::MAX, &|| true), &mut |i| found.push(i));
             prop_assert!(done.is_continue());
             found.sort_unstable();
             let expected: Vec<_> = (0..boxes.len()).filter(|&i| boxes[i].meets(&target)).collect();
@@ -254,7 +264,11 @@ mod tests {
     fn spent_work_breaks_off() {
         let same = vec![Bounds::of([Point::origin()]); 1000];
         let mut work = Work::new(1000, &|| true);
-        assert!(BoxTree::new(&same).pairs(&mut work, &mut |_, _, _| ControlFlow::Continue(())).is_break());
+        assert!(
+            BoxTree::new(&same, &|| true)
+                .pairs(&mut work, &mut |_, _, _| ControlFlow::Continue(()))
+                .is_break()
+        );
         assert!(work.is_spent());
     }
 
@@ -263,7 +277,7 @@ mod tests {
         let same = vec![Bounds::of([Point::origin()]); 1000];
         let mut work = Work::new(u64::MAX, &|| false);
         let mut seen = 0;
-        let outcome = BoxTree::new(&same).pairs(&mut work, &mut |_, _, _| {
+        let outcome = BoxTree::new(&same, &|| true).pairs(&mut work, &mut |_, _, _| {
             seen += 1;
             ControlFlow::Continue(())
         });

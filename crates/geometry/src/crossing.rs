@@ -59,7 +59,7 @@ impl Crossings {
         let direction = loops.main_direction();
         let margin = if loops.has_arcs() { CONTACT_TOLERANCE_MM } else { BOX_MARGIN_MM };
         let boxes: Vec<_> = (0..loops.len()).map(|k| loops.bounds_along(k, direction, margin)).collect();
-        let tree = BoxTree::new(&boxes);
+        let tree = BoxTree::new(&boxes, go_on);
         drop(boxes);
         let mut crossings = Self::default();
         let mut work = Work::new(CROSSING_WORK_LIMIT, go_on);

@@ -110,7 +110,7 @@ fn holes_outside(
     work: &mut Work<'_>,
     findings: &mut FindingList,
 ) -> Option<()> {
-    let index = RingIndex::new(outer);
+    let index = RingIndex::new(outer, work.question());
     for (number, hole) in holes.iter().enumerate().filter(|&(number, _)| !crossed[number]) {
         if !lies_inside(hole, &index, work)? {
             findings.push(|| {
@@ -138,7 +138,7 @@ fn holes_in_holes(
     let mut candidates = Vec::new();
     let mut indices = HashMap::new();
     let mut spent = false;
-    let _ = BoxTree::new(&bounds).pairs(work, &mut |work, a, b| {
+    let _ = BoxTree::new(&bounds, work.question()).pairs(work, &mut |work, a, b| {
         let (a, b) = (a.min(b), a.max(b));
         if crossed[a] || crossed[b] {
             return ControlFlow::Continue(());
@@ -148,7 +148,8 @@ fn holes_in_holes(
             if !(fits.contains(bounds[inner].min) && fits.contains(bounds[inner].max)) {
                 continue;
             }
-            let index = indices.entry(outer).or_insert_with(|| RingIndex::new(&holes[outer]));
+            let index =
+                indices.entry(outer).or_insert_with(|| RingIndex::new(&holes[outer], work.question()));
             match lies_inside(&holes[inner], index, work) {
                 Some(true) => {
                     candidates.push((inner, outer));

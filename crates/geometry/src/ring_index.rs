@@ -11,10 +11,10 @@ pub(crate) struct RingIndex<'a> {
 }
 
 impl<'a> RingIndex<'a> {
-    pub(crate) fn new(ring: &'a Ring) -> Self {
+    pub(crate) fn new(ring: &'a Ring, go_on: &dyn Fn() -> bool) -> Self {
         // Arcs count as border within their rounding error, which stays below the tolerance.
         let boxes: Vec<_> = ring.edges().map(|edge| edge.bounds().grown(CONTACT_TOLERANCE_MM)).collect();
-        Self { ring, tree: BoxTree::new(&boxes) }
+        Self { ring, tree: BoxTree::new(&boxes, go_on) }
     }
 
     pub(crate) fn ring(&self) -> &'a Ring {

@@ -63,6 +63,11 @@ impl Relaxation {
         })
     }
 
+    /// Whether the feature's stretches have been worked out.
+    pub(crate) fn knows_stretches(&self, feature: usize) -> bool {
+        self.free[feature].get().is_some()
+    }
+
     /// The free stretch of the feature that holds `offset`, if any.
     pub(crate) fn stretch_at(&self, feature: usize, offset: f64) -> Option<usize> {
         let tolerance = self.features[feature].offset_tolerance();
