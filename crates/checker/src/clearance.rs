@@ -30,6 +30,8 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) boundary: &'a Boundary,
     pub(crate) tree: &'a BoundaryTree,
     pub(crate) tolerance: f64,
+    /// Whether anybody waits for the answer; after a no what is found does not matter.
+    pub(crate) go_on: &'a dyn Fn() -> bool,
 }
 
 impl Surroundings<'_> {
@@ -81,6 +83,7 @@ impl Surroundings<'_> {
             touched.iter().flat_map(|&edge| step.parts_within(&self.boundary.curve(edge), self.tolerance));
         remaining(near_border.collect(), shortest)
             .into_iter()
+            .take_while(|_| (self.go_on)())
             .filter(|part| is_inside(self.boundary, self.tree, step.point_at((part.0 + part.1) / 2.0), solid))
             .collect()
     }
@@ -90,6 +93,7 @@ impl Surroundings<'_> {
         let clearance = self.boundary.solids[solid as usize].clearance;
         parts
             .iter()
+            .take_while(|_| (self.go_on)())
             .flat_map(|part| {
                 (0..DEPTH_SAMPLES).map(move |sample| {
                     let share = (f64::from(sample) + 0.5) / f64::from(DEPTH_SAMPLES);

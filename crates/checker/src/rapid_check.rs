@@ -126,7 +126,7 @@ impl<'a> RapidMoveChecker<'a> {
         let cost = length(path);
         let mut walk = Walk {
             checker: self,
-            around: Surroundings { boundary: &self.boundary, tree: &self.tree, tolerance },
+            around: Surroundings { boundary: &self.boundary, tree: &self.tree, tolerance, go_on },
             only_a_point: path.steps.is_empty(),
             violations,
             smallest: None,
@@ -289,7 +289,7 @@ impl Walk<'_> {
 
     /// Reports where the path passes between what touches, unless it goes through the same solid anyway.
     fn passages(&mut self, steps: &[Option<Curve>], go_on: &dyn Fn() -> bool) {
-        let Surroundings { boundary, tree, tolerance } = self.around;
+        let Surroundings { boundary, tree, tolerance, .. } = self.around;
         if self.touches == 0 || self.touches >= TOUCH_LIMIT {
             return;
         }
