@@ -2,6 +2,7 @@
 
 use super::axes::{Axes, Words};
 use super::grid::Grid;
+use crate::GcodeDialect;
 use std::f64::consts::TAU;
 use traverse_geometry::{Arc, Point, cross};
 
@@ -14,6 +15,9 @@ const TURN_STEPS: f64 = 4.0;
 
 /// How much of the controller's tolerance is used: the rest is for its own arithmetic.
 const SHARE_OF_TOLERANCE: f64 = 0.8;
+
+/// The same for Grbl, a metre from its origin.
+const SHARE_ON_GRBL: f64 = 0.5;
 
 /// What becomes of an arc on the grid.
 pub(crate) enum ArcBlock {
@@ -49,7 +53,9 @@ pub(crate) fn arc_block(grid: Grid, axes: Axes, from: Words, end: Words, arc: &A
         return ArcBlock::Unspeakable;
     }
     let mismatch_mm = ((end_mm - center).norm() - radius).abs();
-    let tolerance_mm = SHARE_OF_TOLERANCE * grid.dialect.radius_tolerance_mm(grid.unit, radius);
+    // Grbl computes positions in single precision: up to a micrometre more of what it sees is rounding.
+    let share = if grid.dialect == GcodeDialect::Grbl { SHARE_ON_GRBL } else { SHARE_OF_TOLERANCE };
+    let tolerance_mm = share * grid.dialect.radius_tolerance_mm(grid.unit, radius);
     if mismatch_mm > tolerance_mm {
         return ArcBlock::RadiiDiffer { mismatch_mm, tolerance_mm };
     }
