@@ -1,5 +1,7 @@
 //! One entity of a drawing as a chain of straight and circular edges.
 
+use crate::Source;
+use std::sync::Arc as Shared;
 use traverse_geometry::{Arc, Edge, Point};
 
 /// One entity of a drawing as a chain of straight and circular edges, millimetres.
@@ -13,9 +15,20 @@ pub struct Curve {
     pub bulges: Vec<f64>,
     /// Whether the last vertex is joined to the first.
     pub closed: bool,
+    /// How far at most the chain runs from what was drawn, millimetres: 0 for lines and circular arcs, more for
+    /// ellipses and splines.
+    pub deviation_mm: f64,
+    /// What the file says of it.
+    pub source: Shared<Source>,
 }
 
 impl Curve {
+    /// A chain that is what was drawn, of a file that says nothing of it.
+    #[must_use]
+    pub fn new(vertices: Vec<Point>, bulges: Vec<f64>, closed: bool) -> Self {
+        Self { vertices, bulges, closed, deviation_mm: 0.0, source: Shared::default() }
+    }
+
     /// Count of edges.
     #[must_use]
     pub fn edge_count(&self) -> usize {
@@ -73,11 +86,7 @@ impl CurveBuilder {
     /// The curve with two loose ends; none when it has no length.
     pub(crate) fn open(mut self) -> Option<Curve> {
         self.bulges.push(0.0);
-        (self.vertices.len() > 1).then_some(Curve {
-            vertices: self.vertices,
-            bulges: self.bulges,
-            closed: false,
-        })
+        (self.vertices.len() > 1).then(|| Curve::new(self.vertices, self.bulges, false))
     }
 
     /// The closed curve; its last edge came back to the start. None when it has no length.
@@ -85,10 +94,6 @@ impl CurveBuilder {
         if self.vertices.len() > 1 && self.vertices.first() == self.vertices.last() {
             self.vertices.pop();
         }
-        (self.vertices.len() > 1).then_some(Curve {
-            vertices: self.vertices,
-            bulges: self.bulges,
-            closed: true,
-        })
+        (self.vertices.len() > 1).then(|| Curve::new(self.vertices, self.bulges, true))
     }
 }

@@ -23,6 +23,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod color;
 mod curve;
 mod drawing;
 mod dxf;
@@ -41,10 +42,12 @@ mod profile;
 mod roles;
 mod scene_from_drawing;
 mod scene_report;
+mod source;
 mod unit;
 mod unused;
 mod work_area;
 
+pub use color::Color;
 pub use curve::Curve;
 pub use drawing::{Drawing, Layer};
 pub use dxf::{read_dxf, read_dxf_from};
@@ -65,5 +68,6 @@ pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Pro
 pub use roles::{Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};
 pub use scene_report::{LayerRole, LayerUse, SceneError, SceneFromDrawing, SceneReport};
+pub use source::Source;
 pub use unit::LengthUnit;
 pub use unused::{Unused, WhyUnused};

@@ -12,6 +12,8 @@ pub struct ReadOptions {
     pub entity_limit: usize,
     /// Most vertices of all curves together. Default: 2 000 000.
     pub vertex_limit: usize,
+    /// How far arcs and segments may run from the ellipse or spline that they stand for, millimetres. Default: 0.001.
+    pub fit_tolerance_mm: f64,
     /// The unit of a file that does not name one. Default: millimetres.
     pub default_unit: LengthUnit,
 }
@@ -22,6 +24,7 @@ impl Default for ReadOptions {
             byte_limit: 64 << 20,
             entity_limit: 400_000,
             vertex_limit: 2_000_000,
+            fit_tolerance_mm: 0.001,
             default_unit: LengthUnit::MILLIMETRES,
         }
     }

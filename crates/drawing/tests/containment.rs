@@ -20,11 +20,11 @@ fn nest(
     let at = |u: f64, v: f64| Point::new(corner.x + u * side, corner.y + v * side);
     let round = random.below(3) == 0;
     let curve = if round {
-        Curve { vertices: vec![at(0.0, 0.5), at(1.0, 0.5)], bulges: vec![1.0; 2], closed: true }
+        Curve::new(vec![at(0.0, 0.5), at(1.0, 0.5)], vec![1.0; 2], true)
     } else {
         let bulge = [0.0, -0.1][random.below(2)];
         let vertices = vec![at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
-        Curve { vertices, bulges: vec![0.0, bulge, 0.0, 0.0], closed: true }
+        Curve::new(vertices, vec![0.0, bulge, 0.0, 0.0], true)
     };
     let bent = !round && curve.bulges[1] != 0.0;
     let own = out.len();

@@ -10,7 +10,7 @@ use traverse_geometry::Point;
 
 fn open(points: &[(f64, f64, f64)]) -> Curve {
     let vertices = points.iter().map(|&(x, y, _)| Point::new(x, y)).collect();
-    Curve { vertices, bulges: points.iter().map(|&(_, _, bulge)| bulge).collect(), closed: false }
+    Curve::new(vertices, points.iter().map(|&(_, _, bulge)| bulge).collect(), false)
 }
 
 fn line(a: (f64, f64), b: (f64, f64)) -> Curve {
@@ -21,7 +21,7 @@ fn turned(curve: &Curve) -> Curve {
     let last = curve.vertices.len() - 1;
     let mut bulges: Vec<f64> = curve.bulges[..last].iter().rev().map(|bulge| -bulge).collect();
     bulges.push(0.0);
-    Curve { vertices: curve.vertices.iter().rev().copied().collect(), bulges, closed: false }
+    Curve::new(curve.vertices.iter().rev().copied().collect(), bulges, false)
 }
 
 /// A loop of lines and arcs round `(x, y)`, each its own curve; ends miss by up to half the tolerance.
@@ -106,11 +106,8 @@ fn three_ends_are_a_junction_and_loops_that_touch_in_a_vertex_are_not() {
 #[test]
 fn duplicates_count_once_however_they_are_drawn() {
     let half = |from: f64, to: f64| open(&[(from, 0.0, 1.0), (to, 0.0, 0.0)]);
-    let circle = |start: f64| Curve {
-        vertices: vec![Point::new(start, 0.0), Point::new(-start, 0.0)],
-        bulges: vec![1.0; 2],
-        closed: true,
-    };
+    let circle =
+        |start: f64| Curve::new(vec![Point::new(start, 0.0), Point::new(-start, 0.0)], vec![1.0; 2], true);
     let curves =
         [half(-5.0, 5.0), turned(&half(5.0, -5.0)), half(5.0, -5.0), circle(5.0), circle(-5.0), circle(4.0)];
     let joined = join_loops("A", &curves, JOIN_TOLERANCE_MM);
@@ -120,7 +117,7 @@ fn duplicates_count_once_however_they_are_drawn() {
     let corner = |mirror: f64| {
         let points = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0)];
         let vertices = points.map(|(x, y)| Point::new(2.0 + mirror * (x - 2.0), y)).to_vec();
-        Curve { vertices, bulges: vec![0.0; 6], closed: true }
+        Curve::new(vertices, vec![0.0; 6], true)
     };
     assert_eq!(join_loops("A", &[corner(1.0), corner(-1.0)], JOIN_TOLERANCE_MM).loops.len(), 2);
 }

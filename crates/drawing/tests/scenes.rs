@@ -10,7 +10,7 @@ use traverse_geometry::Point;
 
 fn closed(points: &[(f64, f64)]) -> Curve {
     let vertices = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
-    Curve { vertices, bulges: vec![0.0; points.len()], closed: true }
+    Curve::new(vertices, vec![0.0; points.len()], true)
 }
 
 fn square(corner: f64, side: f64) -> Curve {
