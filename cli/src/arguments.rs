@@ -75,11 +75,12 @@ pub(crate) struct Rapid {
     /// By which method.
     #[arg(long, value_enum, default_value_t = Method::Exact)]
     pub(crate) algorithm: Method,
-    /// Layers that bound the work area; * stands for anything. Repeat for more.
-    #[arg(long, value_name = "LAYER")]
+    /// What bounds the work area: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Repeat for more.
+    #[arg(long, value_name = "SELECTOR")]
     pub(crate) work_area: Vec<String>,
-    /// Layers that hold obstacles; * stands for anything. Repeat for more. Default: all others.
-    #[arg(long, value_name = "LAYER")]
+    /// What is an obstacle: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Repeat for more.
+    /// Default: everything else.
+    #[arg(long, value_name = "SELECTOR")]
     pub(crate) obstacles: Vec<String>,
     /// Ends of lines that are no farther apart are joined, millimetres.
     #[arg(long, value_name = "MM", default_value_t = traverse_drawing::JOIN_TOLERANCE_MM)]

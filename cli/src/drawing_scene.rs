@@ -4,7 +4,7 @@ use crate::arguments::{Corner, Rapid};
 use crate::failure::Failure;
 use crate::input;
 use traverse_drawing::{
-    LayerPattern, Machine, Profiles, ReadOptions, SceneFromDrawing, SceneOptions, read_dxf,
+    Machine, ObstacleRole, Profiles, ReadOptions, SceneFromDrawing, SceneOptions, Selector, read_dxf,
     scene_from_drawing,
 };
 use traverse_geometry::CornerStyle;
@@ -50,12 +50,11 @@ fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneOptions,
         machine.apply_to(&mut options);
         options.clearance_mm = clearance_mm;
     }
-    let patterns = |names: &[String]| names.iter().map(|name| LayerPattern::new(name)).collect::<Vec<_>>();
     if !arguments.work_area.is_empty() {
-        options.roles.work_area = patterns(&arguments.work_area);
+        options.roles.work_area = arguments.work_area.iter().map(|text| Selector::new(text)).collect();
     }
     if !arguments.obstacles.is_empty() {
-        options.roles.obstacles = patterns(&arguments.obstacles);
+        options.roles.obstacles = arguments.obstacles.iter().map(|text| ObstacleRole::new(text)).collect();
     }
     options.join_tolerance_mm = arguments.join;
     options.work_area_clearance_mm = arguments.border_clearance.or(options.work_area_clearance_mm);

@@ -29,6 +29,8 @@ const LAST_WORDS: Duration = Duration::from_millis(500);
 
 /// How to stop.
 pub(crate) struct Drain {
+    /// Raised when it begins.
+    pub(crate) begun: CancellationToken,
     /// How long calls may go on.
     pub(crate) grace: Duration,
     /// Raised after it.
@@ -44,7 +46,7 @@ pub(crate) async fn accept(
     drain: Drain,
 ) {
     let places = Arc::new(Semaphore::new(limit.min(Semaphore::MAX_PERMITS)));
-    let leave = CancellationToken::new();
+    let leave = drain.begun;
     let mut connections = JoinSet::new();
     let mut shutdown = pin!(shutdown);
     loop {

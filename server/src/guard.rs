@@ -5,6 +5,7 @@ use crate::buffered::{Buffered, Held};
 use crate::call::{Call, Protocol};
 use crate::config::Config;
 use crate::deadline::grpc_timeout;
+use crate::ends_at_drain::EndsAtDrain;
 use crate::frame;
 use crate::planner_service::Reading;
 use bytes::Bytes;
@@ -17,12 +18,13 @@ use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
 use std::task::{Context, Poll};
 use std::time::Instant;
+use tokio_util::sync::CancellationToken;
 use tonic::body::Body;
 use tonic::service::Routes;
 use tower::{Service, ServiceExt};
 use traverse_proto::{Procedure, Refused, check_counts};
 
-/// Calls that stream or are none of ours: passed on as they are. tonic bounds them.
+/// Calls that are none of ours: passed on as they are, until the server drains. tonic bounds them.
 const PASSED: &[&str] = &["/grpc.health.v1.Health/", "/grpc.reflection.v1.", "/grpc.reflection.v1alpha."];
 
 /// Guards the routes.
@@ -31,6 +33,8 @@ pub(crate) struct Guard {
     pub(crate) routes: Routes,
     pub(crate) config: Arc<Config>,
     pub(crate) buffered: Buffered,
+    /// Raised when the server begins to drain.
+    pub(crate) drain: CancellationToken,
 }
 
 impl Service<Request<Body>> for Guard {
@@ -66,7 +70,8 @@ impl Guard {
     async fn admit_and_route(self, call: &Call, request: Request<Body>) -> Result<Response<Body>, Refused> {
         let path = request.uri().path();
         if PASSED.iter().any(|passed| path.starts_with(passed)) {
-            return Ok(self.route(request).await);
+            let drain = self.drain.clone();
+            return Ok(self.route(request).await.map(|body| EndsAtDrain::wrap(body, &drain)));
         }
         let unknown = || Refused::UnknownMethod { path: path.to_owned() };
         let procedure = Procedure::at_path(path).ok_or_else(unknown)?;

@@ -25,6 +25,7 @@ mod config;
 mod connect;
 mod deadline;
 mod dispatch;
+mod ends_at_drain;
 mod engines;
 mod fault;
 mod frame;

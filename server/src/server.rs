@@ -26,6 +26,7 @@ pub struct Server {
     config: Arc<Config>,
     service: HttpService,
     health: HealthReporter,
+    drain: CancellationToken,
     hard_stop: CancellationToken,
 }
 
@@ -74,7 +75,7 @@ impl Server {
         let workers = config.workers;
         let pool = Pool::start(workers, config.queued_call_count)
             .map_err(|source| StartError::Workers { workers, source })?;
-        let hard_stop = CancellationToken::new();
+        let (drain, hard_stop) = (CancellationToken::new(), CancellationToken::new());
         let dispatcher = Arc::new(Dispatcher { pool, hard_stop: hard_stop.clone() });
         let config = Arc::new(config);
         let buffered = Buffered::new(config.buffered_bytes);
@@ -84,10 +85,11 @@ impl Server {
             engines: Arc::new(engines),
         };
         let (health, routes) = routes(planner)?;
-        let guard = Guard { routes, config: Arc::clone(&config), buffered: buffered.clone() };
+        let guard =
+            Guard { routes, config: Arc::clone(&config), buffered: buffered.clone(), drain: drain.clone() };
         let connect = Connect { grpc: guard.clone(), config: Arc::clone(&config), dispatcher, buffered };
         let service = HttpService::new(Front::new(guard, connect));
-        Ok(Self { config, service, health, hard_stop })
+        Ok(Self { config, service, health, drain, hard_stop })
     }
 
     /// The whole service, to be called in process: no socket, but every check, limit and error of the server.
@@ -126,7 +128,7 @@ impl Server {
                 health.set_service_status(service, ServingStatus::NotServing).await;
             }
         };
-        let drain = Drain { grace, hard_stop: self.hard_stop };
+        let drain = Drain { begun: self.drain, grace, hard_stop: self.hard_stop };
         accept(listener, self.service, self.config.connection_count, begun, drain).await;
         tracing::info!("stopped");
         Ok(())

@@ -25,6 +25,8 @@ pub struct Loop {
     pub bulges: Vec<f64>,
     /// Place of its first curve on the layer: the order of loops.
     pub first_curve: usize,
+    /// How far at most it runs from what was drawn, millimetres.
+    pub deviation_mm: f64,
 }
 
 /// The loops of a layer and what could not be joined.
@@ -73,8 +75,18 @@ impl Loop {
         self.edges().fold(Bounds::EMPTY, |bounds, edge| bounds.union(edge.bounds()))
     }
 
+    /// A loop without edges yet.
+    fn begin(first_curve: usize) -> Self {
+        Self { vertices: Vec::new(), bulges: Vec::new(), first_curve, deviation_mm: 0.0 }
+    }
+
     fn of_curve(curve: &Curve, first_curve: usize) -> Self {
-        Self { vertices: curve.vertices.clone(), bulges: curve.bulges.clone(), first_curve }
+        Self {
+            vertices: curve.vertices.clone(),
+            bulges: curve.bulges.clone(),
+            first_curve,
+            deviation_mm: curve.deviation_mm,
+        }
     }
 }
 

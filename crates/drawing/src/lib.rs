@@ -1,6 +1,6 @@
 //! Drawings in, pictures of plans out.
 //!
-//! A file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used. Its layers are
+//! A file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used. Its curves are
 //! given [`Roles`]; [`scene_from_drawing`] joins the curves to loops, finds which lies in which and builds the
 //! [`Scene`](traverse_geometry::Scene) that a rapid move is planned in. [`picture_of_plan`] draws scene and plan.
 //! No I/O but for the reader that is passed in, no clock, no panic on any input.
@@ -32,16 +32,20 @@ mod error;
 mod finding;
 mod forest;
 mod gcode;
+mod inspection;
 mod joining;
 mod monotone;
 mod obstacles;
 mod options;
+mod part;
 mod pattern;
 mod picture;
 mod profile;
+mod role_loops;
 mod roles;
 mod scene_from_drawing;
 mod scene_report;
+mod selector;
 mod source;
 mod unit;
 mod unused;
@@ -60,14 +64,16 @@ pub use gcode::{
     LARGEST_CHORD_TOLERANCE_MM, ModalMotion, ModalState, SMALLEST_CHORD_TOLERANCE_MM, SettingFinding,
     StraightMotion, XWord, chords_outside, gcode_moves, write_gcode,
 };
+pub use inspection::{Inspection, LayerInspection, inspect_drawing};
 pub use joining::{JOIN_TOLERANCE_MM, Joined, Loop, join_loops};
 pub use options::ReadOptions;
-pub use pattern::LayerPattern;
+pub use part::{Part, Section};
 pub use picture::{Shown, picture_of_plan};
 pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles};
-pub use roles::{Roles, WORK_AREA_LAYERS};
+pub use roles::{ObstacleRole, Role, Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};
-pub use scene_report::{LayerRole, LayerUse, SceneError, SceneFromDrawing, SceneReport};
+pub use scene_report::{LayerUse, SceneError, SceneFromDrawing, SceneReport};
+pub use selector::Selector;
 pub use source::Source;
 pub use unit::LengthUnit;
 pub use unused::{Unused, WhyUnused};

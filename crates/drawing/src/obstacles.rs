@@ -1,11 +1,24 @@
-//! Obstacles from the loops of one layer.
+//! Shapes with holes from the loops of one layer and role.
 
-use crate::scene_from_drawing::LayerLoops;
+use crate::role_loops::RoleLoops;
 use crate::{DrawingFinding, Fault};
 use traverse_geometry::{Finding, Obstacle, Point, Polygon, Ring};
 
-/// The obstacles of a layer, outermost loops and islands, in the order in which they were drawn.
-pub(crate) fn obstacles_of(layer: &LayerLoops<'_>, findings: &mut Vec<DrawingFinding>) -> Vec<Obstacle> {
+/// A polygon, and how far at most it runs from what was drawn.
+pub(crate) struct Shape {
+    pub(crate) polygon: Polygon,
+    pub(crate) deviation_mm: f64,
+}
+
+/// An obstacle of that shape. It keeps a clearance of its own where one is asked for, or where it deviates from what
+/// was drawn.
+pub(crate) fn with_clearance(id: String, shape: Shape, own: Option<f64>, clearance_mm: f64) -> Obstacle {
+    let widened = (shape.deviation_mm > 0.0).then_some(clearance_mm + shape.deviation_mm);
+    Obstacle { id, shape: shape.polygon, clearance_mm: widened.or(own) }
+}
+
+/// The shapes of a layer, outermost loops and islands, in the order in which they were drawn.
+pub(crate) fn shapes_of(layer: &RoleLoops<'_>, findings: &mut Vec<DrawingFinding>) -> Vec<Shape> {
     let mut shapes: Vec<(usize, Polygon)> = Vec::new();
     let mut outers: Vec<usize> = layer.forest.roots().collect();
     while let Some(outer) = outers.pop() {
@@ -41,17 +54,14 @@ pub(crate) fn obstacles_of(layer: &LayerLoops<'_>, findings: &mut Vec<DrawingFin
         shapes.push((outer, shape));
     }
     shapes.sort_by_key(|(outer, _)| *outer);
-    let numbered = shapes.into_iter().zip(1..);
-    numbered
-        .map(|((_, shape), number)| Obstacle {
-            id: format!("{}/{number}", layer.layer),
-            shape,
-            clearance_mm: None,
-        })
-        .collect()
+    let deviation = |outer: usize| {
+        let inside = layer.forest.children[outer].iter().chain([&outer]);
+        inside.map(|&each| layer.loops[each].deviation_mm).fold(0.0, f64::max)
+    };
+    shapes.into_iter().map(|(outer, polygon)| Shape { polygon, deviation_mm: deviation(outer) }).collect()
 }
 
-impl LayerLoops<'_> {
+impl RoleLoops<'_> {
     /// The loop as a valid ring; otherwise everything that is wrong is a finding.
     pub(crate) fn ring(&self, each: usize, findings: &mut Vec<DrawingFinding>) -> Option<Ring> {
         let found = &self.loops[each];

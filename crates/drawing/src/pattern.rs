@@ -1,24 +1,19 @@
-//! Layer names by pattern.
+//! Names by pattern.
 
-use std::fmt;
-
-/// A layer name in which `*` stands for any text; upper and lower case are alike.
+/// A name in which `*` stands for any text; upper and lower case are alike.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LayerPattern {
-    text: String,
+pub(crate) struct Pattern {
     lower: Vec<char>,
 }
 
-impl LayerPattern {
+impl Pattern {
     /// The pattern `text`. Every text is a pattern.
-    #[must_use]
-    pub fn new(text: &str) -> Self {
-        Self { text: text.to_owned(), lower: text.to_lowercase().chars().collect() }
+    pub(crate) fn new(text: &str) -> Self {
+        Self { lower: text.to_lowercase().chars().collect() }
     }
 
     /// Whether `name` fits. Cost: at most length of the pattern times length of the name.
-    #[must_use]
-    pub fn fits(&self, name: &str) -> bool {
+    pub(crate) fn fits(&self, name: &str) -> bool {
         let name: Vec<char> = name.to_lowercase().chars().collect();
         let (mut p, mut n) = (0, 0);
         // Where to go on when the text after the last star does not fit: one character later.
@@ -45,21 +40,9 @@ impl LayerPattern {
     }
 }
 
-impl From<&str> for LayerPattern {
-    fn from(text: &str) -> Self {
-        Self::new(text)
-    }
-}
-
-impl fmt::Display for LayerPattern {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::LayerPattern;
+    use super::Pattern;
 
     #[test]
     fn star_stands_for_any_text_and_case_does_not_matter() {
@@ -76,7 +59,7 @@ mod tests {
             ("**a**", "bab", true),
             ("ÄÖ*", "äöü", true),
         ] {
-            assert_eq!(LayerPattern::new(pattern).fits(name), fits, "{pattern} {name}");
+            assert_eq!(Pattern::new(pattern).fits(name), fits, "{pattern} {name}");
         }
     }
 }

@@ -7,7 +7,7 @@ mod raw;
 
 pub use error::{ProfileError, ProfileFinding};
 
-use crate::{GcodeSettings, LayerPattern, Roles, SceneOptions};
+use crate::{GcodeSettings, ObstacleRole, Roles, SceneOptions, Selector};
 use std::io::Read;
 use traverse_geometry::CornerStyle;
 
@@ -19,10 +19,14 @@ pub const PROFILE_BYTE_LIMIT: u64 = 256 << 10;
 pub struct Machine {
     /// Its name in the file.
     pub name: String,
-    /// Layers that bound the work area.
-    pub work_area: Option<Vec<LayerPattern>>,
-    /// Layers that hold obstacles.
-    pub obstacles: Option<Vec<LayerPattern>>,
+    /// What bounds the work area.
+    pub work_area: Option<Vec<Selector>>,
+    /// What is a part.
+    pub parts: Option<Vec<Selector>>,
+    /// What is a section.
+    pub sections: Option<Vec<Selector>>,
+    /// What is an obstacle.
+    pub obstacles: Option<Vec<ObstacleRole>>,
     /// Clearance from obstacles, millimetres.
     pub clearance_mm: Option<f64>,
     /// Clearance from the work area's border, millimetres.
@@ -36,11 +40,15 @@ pub struct Machine {
 impl Machine {
     /// Puts what the profile states in the place of what `options` hold; leaves the rest.
     pub fn apply_to(&self, options: &mut SceneOptions) {
-        let Roles { work_area, obstacles } = &mut options.roles;
-        for (stated, role) in [(&self.work_area, work_area), (&self.obstacles, obstacles)] {
-            if let Some(patterns) = stated {
-                role.clone_from(patterns);
+        let Roles { work_area, parts, sections, obstacles } = &mut options.roles;
+        for (stated, role) in [(&self.work_area, work_area), (&self.parts, parts), (&self.sections, sections)]
+        {
+            if let Some(selectors) = stated {
+                role.clone_from(selectors);
             }
+        }
+        if let Some(stated) = &self.obstacles {
+            obstacles.clone_from(stated);
         }
         if let Some(clearance_mm) = self.clearance_mm {
             options.clearance_mm = clearance_mm;
@@ -62,9 +70,11 @@ impl Machine {
 /// border_clearance_mm = 0.0        # absent: clearance_mm
 /// corner_style = "round"           # or "miter", then miter_limit = 4.0 if wanted
 ///
-/// [machine.plasma-2.roles]         # layers by pattern, * stands for any text
+/// [machine.plasma-2.roles]         # layers by pattern, * stands for any text; or id:, group:, color:
 /// work_area = ["TABLE*"]
-/// obstacles = ["CLAMPS", "PARTS_*"]
+/// parts = ["group:part-*"]         # absent: none
+/// sections = ["group:section-*"]   # absent: none
+/// obstacles = ["PARTS_*", { select = "color:red", top_mm = 25.0, clearance_mm = 4.0 }]
 ///
 /// [machine.plasma-2.speeds]
 /// arc_feed_mm_per_min = 6000       # needed unless arcs = "chords"

@@ -1,17 +1,19 @@
-//! From a drawing to a scene: loops, what lies in what, obstacles and work area.
+//! From a drawing to a scene: loops, what lies in what, obstacles, work area, parts and sections.
 
-use crate::obstacles::obstacles_of;
+use crate::obstacles::{shapes_of, with_clearance};
+use crate::role_loops::{RoleLoops, loops_by_role};
 use crate::work_area::work_area_of;
 use crate::{
-    Drawing, Forest, JOIN_TOLERANCE_MM, LayerRole, LayerUse, Loop, Roles, SceneError, SceneFromDrawing,
-    SceneReport, join_loops,
+    Drawing, JOIN_TOLERANCE_MM, LayerUse, Part, Role, Roles, SceneError, SceneFromDrawing, SceneReport,
+    Section,
 };
+use std::collections::BTreeMap;
 use traverse_geometry::{CornerStyle, Scene};
 
 /// How a drawing becomes a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneOptions {
-    /// What the layers stand for.
+    /// What the curves stand for.
     pub roles: Roles,
     /// Ends of lines and arcs that are no farther apart are joined, millimetres. Default: [`JOIN_TOLERANCE_MM`].
     pub join_tolerance_mm: f64,
@@ -37,63 +39,115 @@ impl SceneOptions {
     }
 }
 
-/// Loops of one layer that has a role, with what lies in what.
-pub(crate) struct LayerLoops<'a> {
-    pub(crate) layer: &'a str,
-    pub(crate) loops: Vec<Loop>,
-    pub(crate) forest: Forest,
-}
-
 /// Makes a drawing a scene.
 ///
-/// On a layer of obstacles every outermost loop is an obstacle and the loops directly inside it are its holes; loops
-/// inside a hole are obstacles of their own, and so on. Ids are `LAYER/1`, `LAYER/2`, … in the order in which their
-/// outer loops were drawn. Each layer stands for itself: loops of one layer make no holes in another's. Loops that
-/// cross one another count as solid obstacles side by side.
+/// Curves are joined with those of their layer that have the same role. Of obstacles every outermost loop is one and
+/// the loops directly inside it are its holes; loops inside a hole are obstacles of their own, and so on. Ids are
+/// `LAYER/1`, `LAYER/2`, … in the order in which their outer loops were drawn, one selector's after the other's. Each layer stands for itself: loops of
+/// one layer make no holes in another's. Loops that cross one another count as solid obstacles side by side. Parts
+/// are made in the same way.
 ///
 /// The one outermost loop of the work area's layers bounds the work area; the loops directly inside are its holes.
-/// When no layer fits, there is no work area.
+/// When nothing fits, there is no work area.
+///
+/// Where arcs and segments stand for an ellipse or a spline they run up to [`crate::Curve::deviation_mm`] beside it.
+/// The clearance of such an obstacle, or of the border, is larger by as much: what is asked for is kept from the true
+/// curve.
 ///
 /// # Errors
-/// When a layer should bound the work area but does not, or not clearly. Everything else is in the report: look at
+/// When something should bound the work area but does not, or not clearly. Everything else is in the report: look at
 /// [`SceneReport::is_complete`] before you trust that a path keeps clear of all that was drawn.
 pub fn scene_from_drawing(drawing: &Drawing, options: &SceneOptions) -> Result<SceneFromDrawing, SceneError> {
-    let names = drawing.layers.iter().map(|layer| layer.name.as_str());
     let mut report = SceneReport {
         unit: drawing.unit,
         unit_assumed: drawing.unit_assumed,
         layers: Vec::with_capacity(drawing.layers.len()),
-        unmatched_patterns: options.roles.unmatched(names),
+        unmatched_selectors: options.roles.unmatched(drawing),
         findings: Vec::new(),
         unused: drawing.unused.clone(),
+        widest_deviation_mm: 0.0,
     };
-    let mut obstacles = Vec::new();
-    let mut areas = Vec::new();
-    for layer in &drawing.layers {
-        let role = options.roles.of(&layer.name);
-        let mut loop_count = 0;
-        if role != LayerRole::None {
-            let joined = join_loops(&layer.name, &layer.curves, options.join_tolerance_mm);
-            let forest = Forest::of(&joined.loops);
-            loop_count = joined.loops.len();
-            let loops = LayerLoops { layer: &layer.name, loops: joined.loops, forest };
-            if role == LayerRole::WorkArea {
-                areas.push((loops, joined.findings));
-            } else {
-                report.findings.extend(joined.findings);
-                obstacles.extend(obstacles_of(&loops, &mut report.findings));
-            }
+    let (mut obstacles, mut parts, mut areas) = (Vec::new(), Vec::new(), Vec::new());
+    let mut sections: BTreeMap<String, Section> = BTreeMap::new();
+    let mut numbers: BTreeMap<(Role, String), usize> = BTreeMap::new();
+    let mut number = |role: Role, layer: &str| {
+        let last = numbers.entry((role, layer.to_owned())).or_default();
+        *last += 1;
+        format!("{layer}/{last}")
+    };
+    let wanted = |role| role != Role::None;
+    for mut group in loops_by_role(drawing, &options.roles, options.join_tolerance_mm, wanted) {
+        report.layers.push(group.layer_use(&options.roles));
+        report.widest_deviation_mm = report.widest_deviation_mm.max(group.deviation());
+        let found = std::mem::take(&mut group.findings);
+        if group.chosen.role == Role::WorkArea {
+            areas.push((group, found));
+            continue;
         }
-        let curve_count = layer.curves.len();
-        report.layers.push(LayerUse { layer: layer.name.clone(), role, curve_count, loop_count });
+        report.findings.extend(found);
+        match group.chosen.role {
+            Role::Obstacle => {
+                let role = &options.roles.obstacles[group.chosen.place];
+                let clearance_mm = role.clearance_mm.unwrap_or(options.clearance_mm);
+                obstacles.extend(shapes_of(&group, &mut report.findings).into_iter().map(|shape| {
+                    with_clearance(
+                        number(Role::Obstacle, group.layer),
+                        shape,
+                        role.clearance_mm,
+                        clearance_mm,
+                    )
+                }));
+            }
+            Role::Part => {
+                parts.extend(shapes_of(&group, &mut report.findings).into_iter().map(|shape| Part {
+                    id: number(Role::Part, group.layer),
+                    shape: shape.polygon,
+                    deviation_mm: shape.deviation_mm,
+                }))
+            }
+            Role::Section => {
+                let section = sections.entry(group.chosen.name.clone()).or_default();
+                section.id.clone_from(&group.chosen.name);
+                for shape in shapes_of(&group, &mut report.findings) {
+                    section.deviation_mm = section.deviation_mm.max(shape.deviation_mm);
+                    section.shapes.push(shape.polygon);
+                }
+            }
+            Role::WorkArea | Role::None => {}
+        }
     }
     let work_area = work_area_of(areas, &mut report.findings)?;
+    let asked = options.work_area_clearance_mm;
+    let work_area_clearance_mm = match &work_area {
+        Some(area) if area.deviation_mm > 0.0 => {
+            Some(asked.unwrap_or(options.clearance_mm) + area.deviation_mm)
+        }
+        _ => asked,
+    };
     let scene = Scene {
-        work_area,
+        work_area: work_area.map(|area| area.polygon),
         obstacles,
         clearance_mm: options.clearance_mm,
-        work_area_clearance_mm: options.work_area_clearance_mm,
+        work_area_clearance_mm,
         corner_style: options.corner_style,
     };
-    Ok(SceneFromDrawing { scene, report })
+    Ok(SceneFromDrawing { scene, parts, sections: sections.into_values().collect(), report })
+}
+
+impl RoleLoops<'_> {
+    fn layer_use(&self, roles: &Roles) -> LayerUse {
+        let obstacle = (self.chosen.role == Role::Obstacle).then(|| &roles.obstacles[self.chosen.place]);
+        LayerUse {
+            layer: self.layer.to_owned(),
+            role: self.chosen.role,
+            top_mm: obstacle.and_then(|role| role.top_mm),
+            curve_count: self.curve_count,
+            loop_count: self.loops.len(),
+        }
+    }
+
+    /// The widest deviation of any of its loops, millimetres.
+    fn deviation(&self) -> f64 {
+        self.loops.iter().map(|each| each.deviation_mm).fold(0.0, f64::max)
+    }
 }

@@ -1,6 +1,6 @@
 //! What became of a drawing when it was made a scene.
 
-use crate::{DrawingFinding, LayerPattern, LengthUnit, Unused};
+use crate::{DrawingFinding, LengthUnit, Part, Role, Section, Selector, Unused};
 use std::fmt;
 use traverse_geometry::Scene;
 
@@ -9,6 +9,10 @@ use traverse_geometry::Scene;
 pub struct SceneFromDrawing {
     /// Obstacles `LAYER/1`, `LAYER/2`, … in file order, and the work area.
     pub scene: Scene,
+    /// Parts to be cut out. They are not in the way of a rapid move.
+    pub parts: Vec<Part>,
+    /// Sections of a cutting layout, by name. They are not in the way of a rapid move.
+    pub sections: Vec<Section>,
     /// What was used, and what is wrong.
     pub report: SceneReport,
 }
@@ -20,51 +24,45 @@ pub struct SceneReport {
     pub unit: LengthUnit,
     /// Whether that unit was assumed because the file names none.
     pub unit_assumed: bool,
-    /// Every layer with a curve on it.
+    /// Every layer with a curve on it; once for each role that its curves have.
     pub layers: Vec<LayerUse>,
-    /// Patterns that were asked for and fit no layer.
-    pub unmatched_patterns: Vec<LayerPattern>,
+    /// Selectors that were asked for and choose no curve.
+    pub unmatched_selectors: Vec<Selector>,
     /// What is wrong on the layers that were used.
     pub findings: Vec<DrawingFinding>,
     /// Entities that could not be read, on any layer.
     pub unused: Vec<Unused>,
+    /// How far at most arcs and segments run from the ellipses and splines that they stand for, millimetres: 0 when
+    /// there are none. Clearances of what deviates are larger by as much.
+    pub widest_deviation_mm: f64,
 }
 
 /// So many findings are listed when a report is printed.
 const LISTED_FINDINGS: usize = 20;
 
 /// What a layer was used for.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LayerUse {
     /// Layer name.
     pub layer: String,
     /// What it stands for.
-    pub role: LayerRole,
+    pub role: Role,
+    /// How high its obstacles reach, millimetres. Absent: higher than any move, or no obstacles.
+    pub top_mm: Option<f64>,
     /// Curves on it.
     pub curve_count: usize,
     /// Loops that they join to; 0 when the layer has no role.
     pub loop_count: usize,
 }
 
-/// What a layer stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LayerRole {
-    /// Its outermost loop bounds the work area.
-    WorkArea,
-    /// Its loops are obstacles.
-    Obstacles,
-    /// No pattern chose it.
-    None,
-}
-
 impl SceneReport {
     /// Whether everything on the chosen layers is in the scene: no curve that could not be closed, no entity but
-    /// annotation that could not be read on any layer, no pattern that fits nothing. Otherwise a path may run through
+    /// annotation that could not be read on any layer, no selector that fits nothing. Otherwise a path may run through
     /// something that was drawn.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         !self.unused.iter().any(|unused| unused.why.loses_something())
-            && self.unmatched_patterns.is_empty()
+            && self.unmatched_selectors.is_empty()
             && !self.findings.iter().any(|finding| finding.fault.loses_something())
     }
 }
@@ -74,16 +72,19 @@ impl fmt::Display for SceneReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let assumed = if self.unit_assumed { " (assumed: the file names none)" } else { "" };
         writeln!(f, "unit: {}{assumed}", self.unit)?;
-        for LayerUse { layer, role, curve_count, loop_count } in &self.layers {
-            let role = match role {
-                LayerRole::WorkArea => "work area",
-                LayerRole::Obstacles => "obstacles",
-                LayerRole::None => "not used",
-            };
-            writeln!(f, "layer {layer}: {role}, {loop_count} loops of {curve_count} curves")?;
+        for LayerUse { layer, role, top_mm, curve_count, loop_count } in &self.layers {
+            let top = top_mm.map(|top| format!(" up to {top} mm")).unwrap_or_default();
+            writeln!(f, "layer {layer}: {role}{top}, {loop_count} loops of {curve_count} curves")?;
         }
-        for pattern in &self.unmatched_patterns {
-            writeln!(f, "no layer fits {pattern}")?;
+        for selector in &self.unmatched_selectors {
+            writeln!(f, "nothing in the drawing fits {selector}")?;
+        }
+        if self.widest_deviation_mm > 0.0 {
+            writeln!(
+                f,
+                "ellipses and splines are taken as arcs and segments within {} mm; their clearance is larger by as much",
+                self.widest_deviation_mm
+            )?;
         }
         for finding in self.findings.iter().take(LISTED_FINDINGS) {
             writeln!(f, "{finding}")?;

@@ -1,14 +1,15 @@
 //! The work area from the loops of its layers.
 
-use crate::scene_from_drawing::LayerLoops;
+use crate::obstacles::Shape;
+use crate::role_loops::RoleLoops;
 use crate::{DrawingFinding, Fault, SceneError};
 use traverse_geometry::Polygon;
 
 /// The region inside the one outermost loop, less the loops directly inside it; none without a layer.
 pub(crate) fn work_area_of(
-    areas: Vec<(LayerLoops<'_>, Vec<DrawingFinding>)>,
+    areas: Vec<(RoleLoops<'_>, Vec<DrawingFinding>)>,
     findings: &mut Vec<DrawingFinding>,
-) -> Result<Option<Polygon>, SceneError> {
+) -> Result<Option<Shape>, SceneError> {
     let count: usize = areas.iter().map(|(layer, _)| layer.forest.roots().count()).sum();
     let Some((first, _)) = areas.first() else { return Ok(None) };
     let first_layer = first.layer.to_owned();
@@ -47,5 +48,6 @@ pub(crate) fn work_area_of(
             findings.push(DrawingFinding { layer, place, fault: Fault::IslandInWorkArea });
         }
     }
-    Ok(Some(area))
+    let deviation_mm = layer.loops.iter().map(|each| each.deviation_mm).fold(0.0, f64::max);
+    Ok(Some(Shape { polygon: area, deviation_mm }))
 }

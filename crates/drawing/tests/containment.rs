@@ -115,7 +115,12 @@ fn scattered_discs_against_brute_force() {
                 let angle = random.share() * 7.0;
                 let spoke = traverse_geometry::unit(angle) * radius;
                 let bulge = [1.0, -1.0][random.below(2)];
-                Loop { vertices: vec![center + spoke, center - spoke], bulges: vec![bulge; 2], first_curve }
+                Loop {
+                    vertices: vec![center + spoke, center - spoke],
+                    bulges: vec![bulge; 2],
+                    first_curve,
+                    deviation_mm: 0.0,
+                }
             })
             .collect();
         let forest = Forest::of(&loops);

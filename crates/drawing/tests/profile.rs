@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use traverse_drawing::{
-    ArcMotion, GcodeDialect, GcodePlane, GcodeUnit, LayerPattern, PROFILE_BYTE_LIMIT, ProfileError, Profiles,
+    ArcMotion, GcodeDialect, GcodePlane, GcodeUnit, ObstacleRole, PROFILE_BYTE_LIMIT, ProfileError, Profiles,
     SceneOptions, StraightMotion, XWord,
 };
 use traverse_geometry::CornerStyle;
@@ -57,8 +57,8 @@ fn machines_are_chosen_by_name() {
     plasma.apply_to(&mut options);
     assert_eq!((options.clearance_mm, options.work_area_clearance_mm), (3.0, Some(0.0)));
     assert_eq!(options.corner_style, CornerStyle::Miter { limit: Some(4.0) });
-    assert_eq!(options.roles.obstacles, ["CLAMPS", "PARTS_*"].map(LayerPattern::new));
-    assert_eq!(options.roles.work_area, [LayerPattern::new("TABLE*")]);
+    assert_eq!(options.roles.obstacles, ["CLAMPS", "PARTS_*"].map(ObstacleRole::new));
+    assert_eq!(options.roles.work_area, ["TABLE*".into()]);
     let gcode = plasma.gcode.as_ref().unwrap();
     assert_eq!((gcode.dialect, gcode.decimals), (GcodeDialect::Grbl, Some(4)));
     assert_eq!(gcode.arcs, ArcMotion::Fed { feed_mm_per_min: 6000.0 });
@@ -101,7 +101,8 @@ fn unknown_keys_are_refused_with_line_and_known_names() {
         ),
         (
             "[machine.a.roles]\nobstacles = [\"*\"]\npart = [\"P\"]\n",
-            "shop.toml:3: machine.a.roles.part: unknown field `part`, expected `work_area` or `obstacles`; \
+            "shop.toml:3: machine.a.roles.part: unknown field `part`, expected one of \
+             `work_area`, `parts`, `sections`, `obstacles`; \
              correct this line",
         ),
         (
@@ -133,7 +134,7 @@ fn values_out_of_range_are_reported_all_at_once() {
         "4: machine.a.miter_limit: has no effect",
         "4: machine.a.miter_limit: 0.5 is no ratio",
         "6: machine.a.roles.obstacles: the list is empty",
-        "7: machine.a.roles.work_area: a pattern is empty",
+        "7: machine.a.roles.work_area: a selector is empty",
         "9: machine.a.speeds.arc_feed_mm_per_min: is 0: use 1 to",
         "10: machine.a.speeds.straight_feed_mm_per_min: is missing",
         "11: machine.a.gcode.x_word: has no effect in G17",
@@ -165,5 +166,31 @@ fn hostile_files_are_bounded() {
     assert!(read("\u{feff}[machine.a]\r\nclearance_mm = 1\r\n").is_ok());
     for length in 0..BOTH.len() {
         let _ = read(&BOTH[..length]);
+    }
+}
+
+#[test]
+fn obstacles_may_carry_a_top_and_a_clearance() {
+    let text = r#"
+[machine.m.roles]
+parts = ["group:part-*"]
+sections = ["layer:SECTION*"]
+obstacles = ["CLAMPS", { select = "color:red", top_mm = 25.0, clearance_mm = 4.0 }]
+"#;
+    let mut options = SceneOptions::new(1.0);
+    read(text).unwrap().machine("m").unwrap().apply_to(&mut options);
+    let red = ObstacleRole { top_mm: Some(25.0), clearance_mm: Some(4.0), ..ObstacleRole::new("color:red") };
+    assert_eq!(options.roles.obstacles, [ObstacleRole::new("CLAMPS"), red]);
+    assert_eq!(options.roles.parts, ["group:part-*".into()]);
+    assert_eq!(options.roles.sections, ["layer:SECTION*".into()]);
+    for (role, what) in [
+        (r#"{ select = "A", clearance_mm = -1.0 }"#, "-1 is no clearance"),
+        (r#"{ select = "A", top_mm = nan }"#, "top_mm = NaN"),
+        (r#"{ select = "" }"#, "fits nothing"),
+        (r#"{ select = "A", height = 3 }"#, "select = "),
+        ("3", "select = "),
+    ] {
+        let message = refused(&format!("[machine.m.roles]\nobstacles = [{role}]\n"));
+        assert!(message.contains(what) && message.starts_with("shop.toml:2: "), "{message}");
     }
 }

@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::sync::Arc;
 use traverse_drawing::{
-    Curve, Drawing, Fault, Layer, LayerPattern, LayerRole, LengthUnit, Roles, SceneError, SceneFromDrawing,
-    SceneOptions, scene_from_drawing,
+    Color, Curve, Drawing, Fault, Layer, LengthUnit, ObstacleRole, Role, Roles, SceneError, SceneFromDrawing,
+    SceneOptions, Source, scene_from_drawing,
 };
 use traverse_geometry::Point;
 
@@ -49,16 +50,79 @@ fn layers_are_chosen_by_pattern() {
     let layers: &[(&str, &[Curve])] =
         &[("Clamps-left", &one), ("text", &one), ("BED", &[square(-50.0, 100.0)])];
     let roles = Roles {
-        work_area: vec![LayerPattern::new("bed")],
-        obstacles: vec![LayerPattern::new("clamps*"), LayerPattern::new("nothing")],
+        work_area: vec!["bed".into()],
+        obstacles: vec![ObstacleRole::new("clamps*"), ObstacleRole::new("nothing")],
+        ..Roles::default()
     };
     let made = scene(layers, roles).unwrap();
     assert_eq!(ids(&made), ["Clamps-left/1"]);
     assert!(made.scene.work_area.is_some());
-    let roles: Vec<LayerRole> = made.report.layers.iter().map(|layer| layer.role).collect();
-    assert_eq!(roles, [LayerRole::Obstacles, LayerRole::None, LayerRole::WorkArea]);
-    assert_eq!(made.report.unmatched_patterns, [LayerPattern::new("nothing")]);
+    let roles: Vec<Role> = made.report.layers.iter().map(|layer| layer.role).collect();
+    assert_eq!(roles, [Role::Obstacle, Role::None, Role::WorkArea]);
+    assert_eq!(made.report.unmatched_selectors, ["nothing".into()]);
     assert!(!made.report.is_complete());
+}
+
+#[test]
+fn curves_of_one_layer_are_told_apart_by_id_group_and_colour() {
+    let with = |curve: Curve, id: &str, group: &str, red: u8| Curve {
+        source: Arc::new(Source {
+            id: Some(id.to_owned()),
+            groups: vec![group.to_owned()],
+            color: Some(Color { red, green: 0, blue: 0 }),
+        }),
+        ..curve
+    };
+    let curves = [
+        with(square(0.0, 100.0), "bed", "table", 0),
+        with(square(10.0, 5.0), "c1", "clamps", 255),
+        with(square(20.0, 5.0), "c2", "clamps", 0),
+        with(square(30.0, 9.0), "p1", "parts", 0),
+        with(square(32.0, 2.0), "p2", "parts", 0),
+        with(square(50.0, 5.0), "s1", "nest-1", 0),
+        with(square(60.0, 5.0), "s2", "nest-2", 0),
+        with(square(70.0, 5.0), "s3", "nest-1", 0),
+        with(square(80.0, 5.0), "note", "text", 0),
+    ];
+    let low = ObstacleRole { top_mm: Some(25.0), clearance_mm: Some(4.0), ..ObstacleRole::new("color:red") };
+    let roles = Roles {
+        work_area: vec!["id:bed".into()],
+        parts: vec!["group:parts".into()],
+        sections: vec!["group:nest-*".into()],
+        obstacles: vec![low, ObstacleRole::new("group:clamps")],
+    };
+    let made = scene(&[("0", &curves)], roles).unwrap();
+    assert_eq!(made.scene.work_area.as_ref().unwrap().area(), 10_000.0);
+    let clearances: Vec<f64> =
+        made.scene.obstacles.iter().map(|obstacle| made.scene.clearance_of(obstacle)).collect();
+    assert_eq!((ids(&made), clearances), (vec!["0/1", "0/2"], vec![4.0, 1.0]));
+    assert_eq!(made.parts.iter().map(|part| part.shape.area()).collect::<Vec<_>>(), [81.0 - 4.0]);
+    let sections: Vec<(&str, usize)> =
+        made.sections.iter().map(|section| (section.id.as_str(), section.shapes.len())).collect();
+    assert_eq!(sections, [("nest-1", 2), ("nest-2", 1)]);
+    let tops: Vec<Option<f64>> = made.report.layers.iter().map(|layer| layer.top_mm).collect();
+    assert!(tops.contains(&Some(25.0)), "{tops:?}");
+    let unused: usize = made
+        .report
+        .layers
+        .iter()
+        .filter(|layer| layer.role == Role::None)
+        .map(|layer| layer.curve_count)
+        .sum();
+    assert_eq!(unused, 1);
+    assert!(made.report.is_complete(), "{}", made.report);
+}
+
+#[test]
+fn what_deviates_from_the_drawing_keeps_more_clearance() {
+    let fitted = |corner: f64, side: f64| Curve { deviation_mm: 0.25, ..square(corner, side) };
+    let layers: &[(&str, &[Curve])] =
+        &[("TABLE", &[fitted(0.0, 100.0)]), ("A", &[fitted(10.0, 5.0), square(30.0, 5.0)])];
+    let made = scene(layers, Roles::default()).unwrap();
+    let clearances: Vec<f64> =
+        made.scene.obstacles.iter().map(|obstacle| made.scene.clearance_of(obstacle)).collect();
+    assert_eq!((clearances, made.scene.border_clearance()), (vec![1.25, 1.0], 1.25));
+    assert_eq!(made.report.widest_deviation_mm, 0.25);
 }
 
 #[test]

@@ -96,7 +96,7 @@ reasons! {
     DuplicateId = "DUPLICATE_ID",
     /// An enum value that this version does not know.
     UnknownEnumValue = "UNKNOWN_ENUM_VALUE",
-    /// More items than GetLimits permits.
+    /// More items than GetLimits permits, or more edges lying on top of one another than can be told apart.
     TooMany = "TOO_MANY",
     /// A setting that has no meaning together with another one.
     NotApplicable = "NOT_APPLICABLE",

@@ -10,8 +10,10 @@ use crate::dispatch::Dispatcher;
 use crate::frame;
 use crate::guard::Guard;
 use bytes::Bytes;
+use futures_util::FutureExt;
 use http::{HeaderMap, HeaderValue, Method, Request, Response, StatusCode, header};
 use http_body_util::{BodyExt, Full};
+use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tonic::body::Body;
@@ -51,7 +53,8 @@ impl Connect {
                 known,
             );
         };
-        match self.transcode(call, &procedure, encoding, request).await {
+        let transcoded = AssertUnwindSafe(self.transcode(call, &procedure, encoding, request)).catch_unwind();
+        match transcoded.await.unwrap_or_else(|panic| Err(crate::fault::of_panic(&*panic).into())) {
             Ok(body) => response(StatusCode::OK, encoding.content_type(), body),
             Err(Failure::Refused(refused)) => {
                 call.refused(&refused);

@@ -35,7 +35,9 @@ async fn what_runs_may_end_and_nothing_new_begins() {
     assert!(!served.is_finished(), "a call is still running");
     gate.open();
     call.await.expect("no panic").expect("it was let through");
-    drop(watch);
+    // The watch is still held: it ends by itself and does not hold the grace.
+    let end = watch.next().await.expect("one more").expect_err("the end");
+    assert_eq!(end.code(), Code::Unavailable, "{end}");
     tokio::time::timeout(HANG, served).await.expect("no hang").expect("no panic").expect("served");
 }
 

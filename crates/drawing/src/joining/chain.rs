@@ -107,7 +107,7 @@ impl Chain {
         let count = self.steps.len();
         let first = (0..count).min_by_key(|&i| links[self.steps[i].link].curve).unwrap_or(0);
         let first_curve = links[self.steps[first].link].curve;
-        let mut result = Loop { vertices: Vec::new(), bulges: Vec::new(), first_curve };
+        let mut result = Loop::begin(first_curve);
         let along = self.steps[first].forward;
         for i in 0..count {
             let at = if along { (first + i) % count } else { (first + count - i) % count };
@@ -122,6 +122,7 @@ impl Loop {
     /// Adds a curve without its last vertex; the first becomes `start`.
     fn append(&mut self, curve: &Curve, forward: bool, start: Point) {
         let edges = curve.vertices.len() - 1;
+        self.deviation_mm = self.deviation_mm.max(curve.deviation_mm);
         self.vertices.push(start);
         if forward {
             self.vertices.extend_from_slice(&curve.vertices[1..edges]);
@@ -135,7 +136,7 @@ impl Loop {
 
 /// An open curve whose ends meet, as a loop; none when it is a single edge.
 pub(super) fn closed_by_itself(curve: &Curve, index: usize, start: Point) -> Option<Loop> {
-    let mut result = Loop { vertices: Vec::new(), bulges: Vec::new(), first_curve: index };
+    let mut result = Loop::begin(index);
     result.append(curve, true, start);
     (result.vertices.len() > 1).then_some(result)
 }

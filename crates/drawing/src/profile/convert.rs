@@ -2,15 +2,16 @@
 
 use super::line_index::LineIndex;
 use super::raw::{
-    RawArcs, RawCornerStyle, RawDialect, RawGcode, RawMachine, RawPlane, RawProfiles, RawSpeeds, RawStraight,
-    RawUnit, RawXWord,
+    RawArcs, RawCornerStyle, RawDialect, RawGcode, RawMachine, RawObstacleRole, RawObstacleTable, RawPlane,
+    RawProfiles, RawSpeeds, RawStraight, RawUnit, RawXWord,
 };
 use super::{Machine, ProfileFinding};
 use crate::{
-    ArcMotion, GcodeDialect, GcodePlane, GcodeSettings, GcodeUnit, LayerPattern, StraightMotion, XWord,
+    ArcMotion, GcodeDialect, GcodePlane, GcodeSettings, GcodeUnit, ObstacleRole, Selector, StraightMotion,
+    XWord,
 };
 use toml::Spanned;
-use traverse_geometry::{CornerStyle, LARGEST_CLEARANCE_MM, SMALLEST_CLEARANCE_MM};
+use traverse_geometry::{COORDINATE_LIMIT_MM, CornerStyle, LARGEST_CLEARANCE_MM, SMALLEST_CLEARANCE_MM};
 
 /// How far outside an arc chords lie unless the profile says otherwise, millimetres.
 const CHORD_TOLERANCE_MM: f64 = 0.01;
@@ -50,8 +51,10 @@ impl Check<'_> {
     fn machine(&mut self, name: String, raw: RawMachine) -> Machine {
         let corner_style = self.corner_style(&raw);
         Machine {
-            work_area: self.patterns("roles.work_area", raw.roles.work_area),
-            obstacles: self.patterns("roles.obstacles", raw.roles.obstacles),
+            work_area: self.selectors("roles.work_area", raw.roles.work_area),
+            parts: self.selectors("roles.parts", raw.roles.parts),
+            sections: self.selectors("roles.sections", raw.roles.sections),
+            obstacles: self.obstacles("roles.obstacles", raw.roles.obstacles),
             clearance_mm: self.clearance("clearance_mm", raw.clearance_mm),
             border_clearance_mm: self.clearance("border_clearance_mm", raw.border_clearance_mm),
             corner_style,
@@ -60,27 +63,68 @@ impl Check<'_> {
         }
     }
 
-    fn patterns(&mut self, key: &str, stated: Option<Spanned<Vec<String>>>) -> Option<Vec<LayerPattern>> {
+    fn selectors(&mut self, key: &str, stated: Option<Spanned<Vec<String>>>) -> Option<Vec<Selector>> {
         let stated = stated?;
         let line = self.line_of(&stated);
-        if stated.get_ref().is_empty() {
-            self.add(line, key, "the list is empty; name a pattern, or leave the key out for the default");
+        let texts = stated.into_inner();
+        self.list(line, key, texts.len());
+        Some(texts.iter().map(|text| self.selector(line, key, text)).collect())
+    }
+
+    fn obstacles(
+        &mut self,
+        key: &str,
+        stated: Option<Spanned<Vec<RawObstacleRole>>>,
+    ) -> Option<Vec<ObstacleRole>> {
+        let stated = stated?;
+        let line = self.line_of(&stated);
+        let roles = stated.into_inner();
+        self.list(line, key, roles.len());
+        let role = |raw: RawObstacleRole| {
+            let RawObstacleTable { select, top_mm, clearance_mm } = match raw {
+                RawObstacleRole::Table(table) => table,
+                RawObstacleRole::Selector(select) => {
+                    RawObstacleTable { select, top_mm: None, clearance_mm: None }
+                }
+            };
+            if let Some(top) = top_mm.filter(|top| top.abs() > COORDINATE_LIMIT_MM || top.is_nan()) {
+                self.add(line, key, format!("top_mm = {top} is out of range; use ±{COORDINATE_LIMIT_MM} mm"));
+            }
+            if let Some(clearance) = clearance_mm {
+                self.clearance_in_range(line, key, clearance);
+            }
+            ObstacleRole { selector: self.selector(line, key, &select), top_mm, clearance_mm }
+        };
+        Some(roles.into_iter().map(role).collect())
+    }
+
+    fn list(&mut self, line: usize, key: &str, count: usize) {
+        if count == 0 {
+            self.add(line, key, "the list is empty; name a selector, or leave the key out for the default");
         }
-        if stated.get_ref().iter().any(String::is_empty) {
-            self.add(line, key, "a pattern is empty and fits no layer; name one, such as \"CLAMPS*\"");
+    }
+
+    fn selector(&mut self, line: usize, key: &str, text: &str) -> Selector {
+        let selector = Selector::new(text);
+        if selector.is_empty() {
+            self.add(line, key, "a selector is empty and fits nothing; name one, such as \"CLAMPS*\"");
         }
-        Some(stated.into_inner().iter().map(|text| LayerPattern::new(text)).collect())
+        selector
     }
 
     fn clearance(&mut self, key: &str, stated: Option<Spanned<f64>>) -> Option<f64> {
         let stated = stated?;
         let clearance = *stated.get_ref();
+        let line = self.line_of(&stated);
+        self.clearance_in_range(line, key, clearance);
+        Some(clearance)
+    }
+
+    fn clearance_in_range(&mut self, line: usize, key: &str, clearance: f64) {
         if clearance != 0.0 && !(SMALLEST_CLEARANCE_MM..=LARGEST_CLEARANCE_MM).contains(&clearance) {
-            let line = self.line_of(&stated);
             let (least, largest) = (SMALLEST_CLEARANCE_MM, LARGEST_CLEARANCE_MM);
             self.add(line, key, format!("{clearance} is no clearance; use 0, or {least} to {largest} mm"));
         }
-        Some(clearance)
     }
 
     fn corner_style(&mut self, raw: &RawMachine) -> Option<CornerStyle> {

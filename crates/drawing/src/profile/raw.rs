@@ -37,7 +37,28 @@ pub(crate) enum RawCornerStyle {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawRoles {
     pub(crate) work_area: Option<Spanned<Vec<String>>>,
-    pub(crate) obstacles: Option<Spanned<Vec<String>>>,
+    pub(crate) parts: Option<Spanned<Vec<String>>>,
+    pub(crate) sections: Option<Spanned<Vec<String>>>,
+    pub(crate) obstacles: Option<Spanned<Vec<RawObstacleRole>>>,
+}
+
+/// A selector alone, or with what is the same for all that it chooses.
+#[derive(Deserialize)]
+#[serde(
+    untagged,
+    expecting = "write a selector such as \"CLAMPS*\", or { select = \"CLAMPS*\", top_mm = 25.0 }"
+)]
+pub(crate) enum RawObstacleRole {
+    Selector(String),
+    Table(RawObstacleTable),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawObstacleTable {
+    pub(crate) select: String,
+    pub(crate) top_mm: Option<f64>,
+    pub(crate) clearance_mm: Option<f64>,
 }
 
 #[derive(Default, Deserialize)]
