@@ -8,7 +8,8 @@ use traverse_geometry::{Finding, Point};
 pub struct DrawingFinding {
     /// Layer name.
     pub layer: String,
-    /// Where to look, millimetres.
+    /// Where to look, millimetres: the crossing of loops that cross, a loose end of an open chain, the meeting point
+    /// of a junction, otherwise a vertex of what is meant.
     pub place: Point,
     /// What is wrong.
     pub fault: Fault,

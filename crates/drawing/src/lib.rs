@@ -38,6 +38,7 @@ mod obstacles;
 mod options;
 mod pattern;
 mod picture;
+mod png;
 mod profile;
 mod roles;
 mod scene_from_drawing;
@@ -63,7 +64,10 @@ pub use gcode::{
 pub use joining::{JOIN_TOLERANCE_MM, Joined, Loop, join_loops};
 pub use options::ReadOptions;
 pub use pattern::LayerPattern;
-pub use picture::{Shown, picture_of_plan};
+pub use picture::{MARKED_FINDINGS, Shown, picture_of_drawing, picture_of_plan};
+pub use png::{
+    LARGEST_PNG_PIXELS, LARGEST_PNG_WIDTH_PX, LARGEST_SVG_BYTES, PngError, SMALLEST_PNG_WIDTH_PX, png_of_svg,
+};
 pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles};
 pub use roles::{Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};

@@ -3,9 +3,9 @@
 use super::Shown;
 use super::frame::{Box2, Frame};
 use super::label::{Places, box_at};
-use super::route::{MARK_RADIUS, samples};
+use super::route::{MARK_RADIUS, mark_size, samples};
 use super::style::SMALL;
-use super::text::{fitted, push_text, width_of};
+use super::text::{Weight, fitted, push_text, width_of};
 use crate::monotone::{Piece, pieces_of};
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -21,28 +21,35 @@ const REACH: [f64; 9] = [0.0, 14.0, 24.0, 36.0, 50.0, 66.0, 84.0, 104.0, 130.0];
 const TURNS: u8 = 16;
 /// Longest id that is written, canvas units.
 const LONGEST: f64 = 260.0;
+/// Places inside an obstacle at which its id is tried.
+const MOST_ANCHORS: usize = 40;
 /// So many edges of the scene are kept free of ids.
 const MOST_EDGES: usize = 20_000;
+/// Ends of so many moves are named.
+const NAMED_MOVES: usize = 8;
+/// Free space between the names of ends and borders, where there is a choice.
+const BORDER_AIR: f64 = 4.0;
 /// Scenes with more obstacles than this are labelled inside the obstacles only.
 const CROWDED: usize = 80;
 
-pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &Frame) {
+/// Writes what finds room; the ids that found none.
+pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, frame: &Frame) -> Vec<&'a str> {
     let crowded = scene.obstacles.len() > CROWDED;
-    let mut path = samples(shown.paths().iter().flat_map(Path::edges), frame);
+    let paths = shown.paths().iter().chain(shown.before());
+    let mut path = samples(paths.flat_map(Path::edges), frame);
     if let Shown::NoPath { start, target, .. } = *shown {
         path.extend(samples(std::iter::once(Edge::Segment(Segment::new(start, target))), frame));
     }
     let borders = samples(scene.rings().flat_map(traverse_geometry::Ring::edges).take(MOST_EDGES), frame);
     let mut places = Places::new(frame.area, &path, &borders);
     let ends = shown.ends();
+    let size = mark_size(ends.len());
     for (start, target) in &ends {
         for end in [start, target] {
-            let (x, y) = frame.place(*end);
-            let r = MARK_RADIUS + 2.0;
-            places.take(Box2 { left: x - r, top: y - r, right: x + r, bottom: y + r });
+            places.take(Box2::around(frame.place(*end), size * (MARK_RADIUS + 2.0)));
         }
     }
-    for (start, target) in ends.iter().take(CROWDED) {
+    for (start, target) in ends.iter().take(NAMED_MOVES) {
         for (end, name) in [(start, "start"), (target, "target")] {
             end_name(svg, &mut places, frame.place(*end), name);
         }
@@ -58,17 +65,20 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
     for effort in 0..hardest {
         waiting.retain(|&i| !named[i].write(svg, &mut places, frame, effort, &named));
     }
+    waiting.into_iter().map(|i| named[i].obstacle.id.as_str()).filter(|id| !id.is_empty()).collect()
 }
 
 fn end_name(svg: &mut String, places: &mut Places, (x, y): (f64, f64), name: &str) {
-    let width = width_of(name, SMALL);
+    let width = width_of(name, SMALL, Weight::Bold);
     let spots = (0..24).map(|i| {
         let angle = TAU * f64::from(i) / 12.0 - TAU / 4.0;
         let away = if i < 12 { 0.0 } else { 18.0 };
         let (dx, dy) = (MARK_RADIUS + 8.0 + width / 2.0 + away, MARK_RADIUS + 6.0 + SMALL / 2.0 + away);
         box_at(x + dx * angle.cos(), y + dy * angle.sin(), width, SMALL)
     });
-    if let Some(free) = spots.into_iter().find(|spot| places.is_free(spot)) {
+    let free: Vec<Box2> = spots.filter(|spot| places.is_free(spot)).collect();
+    // Off the borders where there is a choice.
+    if let Some(&free) = free.iter().find(|spot| places.is_clear(&spot.grown(BORDER_AIR))).or(free.first()) {
         write_at(svg, places, "end", free, name);
     }
 }
@@ -88,9 +98,9 @@ impl<'a> Named<'a> {
         let mut named = Self { obstacle, bounds, pieces: pieces_of(edges), anchors: Vec::new() };
         let size = bounds.size();
         let at = |u: f64, v: f64| Point::new(bounds.min.x + u * size.x, bounds.min.y + v * size.y);
-        let shares = [0.5, 0.25, 0.75, 0.12, 0.88, 0.05, 0.95];
+        let shares = [0.5, 0.25, 0.75, 0.12, 0.88, 0.38, 0.62, 0.05, 0.95];
         let grid = shares.iter().flat_map(|&v| shares.iter().map(move |&u| at(u, v)));
-        named.anchors = grid.filter(|&p| named.holds(p)).take(12).collect();
+        named.anchors = grid.filter(|&p| named.holds(p)).take(MOST_ANCHORS).collect();
         named.anchors.extend(obstacle.shape.outer().vertices().first());
         named
     }
@@ -104,8 +114,11 @@ impl<'a> Named<'a> {
     /// Writes the id where there is room: at first inside the obstacle, then beside it in the open, then anywhere
     /// off the path. Whether it could.
     fn write(&self, svg: &mut String, places: &mut Places, frame: &Frame, effort: u8, all: &[Self]) -> bool {
-        let text = fitted(&self.obstacle.id, SMALL, LONGEST);
-        let width = width_of(&text, SMALL);
+        if self.obstacle.id.is_empty() {
+            return false;
+        }
+        let text = fitted(&self.obstacle.id, SMALL, Weight::Regular, LONGEST);
+        let width = width_of(&text, SMALL, Weight::Regular);
         let reach = if effort == 0 { &REACH[..1] } else { &REACH[..] };
         // Inside there is often just one place; beside it any of a few points will do to start from.
         let anchors =

@@ -62,12 +62,7 @@ impl Places {
 
     /// Whether the box is free of labels, marks and path.
     pub(super) fn is_free(&self, area: &Box2) -> bool {
-        let near = Box2 {
-            left: area.left - AIR,
-            top: area.top - AIR,
-            right: area.right + AIR,
-            bottom: area.bottom + AIR,
-        };
+        let near = area.grown(AIR);
         area.within(&self.within)
             && !self.taken.iter().any(|other| other.meets(&near))
             && !self.path.any_near(area, PATH_AIR)
