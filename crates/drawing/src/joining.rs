@@ -124,8 +124,7 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
             continue;
         }
         joined.open_curves.extend(chain.steps.iter().map(|step| links[step.link].curve));
-        if let Some((place, fault)) = open_chain(chain, &links, curves, &snapped.vertices, &found.ends)
-        {
+        if let Some((place, fault)) = open_chain(chain, &links, curves, &snapped.vertices, &found.ends) {
             report(place, fault);
         }
     }

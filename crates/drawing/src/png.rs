@@ -84,7 +84,7 @@ pub fn png_of_svg(svg: &str, width_px: u32) -> Result<Vec<u8>, PngError> {
 }
 
 /// Only the fonts brought along; no pictures within the picture, so that no file is read.
-fn options() -> Options<'static> {
+pub(crate) fn options() -> Options<'static> {
     Options {
         font_family: String::from(fonts::FAMILY),
         fontdb: fonts::fonts(),

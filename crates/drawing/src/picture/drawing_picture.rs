@@ -35,7 +35,8 @@ pub fn picture_of_drawing(drawing: &Drawing, findings: &[DrawingFinding], title:
     let curves = drawing.layers.iter().flat_map(|layer| &layer.curves);
     let curves = curves.filter(|curve| curve.vertices.iter().all(|&p| extent::can_be_drawn(p)));
     let edges = curves.flat_map(|curve| curve.edges().collect::<Vec<_>>()).take(MOST_EDGES);
-    let mut places = Places::new(frame.area, &[], &samples(edges, &frame));
+    let gaps = markers::gap_points(findings, &frame);
+    let mut places = Places::new(frame.area, &gaps, &samples(edges, &frame));
     markers::draw(&mut body, findings, &mut places, &frame);
     let legend = Legend::new(entries(drawing, &layers, findings), more_layers(drawing), &frame);
     let mut list = String::new();

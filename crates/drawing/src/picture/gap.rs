@@ -38,7 +38,13 @@ pub(super) fn loose_end(svg: &mut String, (x, y): (f64, f64)) {
 }
 
 /// Writes the length beside the gap; not at all when there is no room: the list says it as well.
-pub(super) fn write_length(svg: &mut String, places: &mut Places, ends: [Point; 2], gap_mm: f64, frame: &Frame) {
+pub(super) fn write_length(
+    svg: &mut String,
+    places: &mut Places,
+    ends: [Point; 2],
+    gap_mm: f64,
+    frame: &Frame,
+) {
     let text = format!("gap {}", millimetres(gap_mm));
     let (width, height) = (width_of(&text, SMALL, Weight::Bold), SMALL);
     let (x, y) = frame.place(ends[0] + (ends[1] - ends[0]) / 2.0);
@@ -51,7 +57,13 @@ pub(super) fn write_length(svg: &mut String, places: &mut Places, ends: [Point; 
     });
     let free = spots.into_iter().find(|spot| places.is_free(spot) && places.is_clear(spot));
     if let Some(spot) = free {
-        push_text(svg, "end", (spot.left + spot.right) / 2.0, (spot.top + spot.bottom) / 2.0 + SMALL * 0.35, &text);
+        push_text(
+            svg,
+            "end",
+            (spot.left + spot.right) / 2.0,
+            (spot.top + spot.bottom) / 2.0 + SMALL * 0.35,
+            &text,
+        );
         places.take(spot);
     }
 }

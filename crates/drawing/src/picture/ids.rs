@@ -70,11 +70,12 @@ pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, fr
 
 fn end_name(svg: &mut String, places: &mut Places, (x, y): (f64, f64), name: &str) {
     let width = width_of(name, SMALL, Weight::Bold);
-    let spots = (0..24).map(|i| {
-        let angle = TAU * f64::from(i) / 12.0 - TAU / 4.0;
-        let away = if i < 12 { 0.0 } else { 18.0 };
-        let (dx, dy) = (MARK_RADIUS + 8.0 + width / 2.0 + away, MARK_RADIUS + 6.0 + SMALL / 2.0 + away);
-        box_at(x + dx * angle.cos(), y + dy * angle.sin(), width, SMALL)
+    let spots = [0.0, 12.0, 26.0].into_iter().flat_map(|away| {
+        (0..24).map(move |i| {
+            let angle = TAU * (f64::from(i) / 24.0 - 0.25);
+            let (dx, dy) = (MARK_RADIUS + 8.0 + width / 2.0 + away, MARK_RADIUS + 6.0 + SMALL / 2.0 + away);
+            box_at(x + dx * angle.cos(), y + dy * angle.sin(), width, SMALL)
+        })
     });
     let free: Vec<Box2> = spots.filter(|spot| places.is_free(spot)).collect();
     // Off the borders where there is a choice.

@@ -7,12 +7,13 @@ use super::extent::can_be_drawn;
 use super::frame::{Box2, Frame};
 use super::gap;
 use super::label::Places;
+use super::route::samples;
 use super::style::NUMBER;
 use super::text::push_text;
 use crate::{DrawingFinding, Fault};
 use std::f64::consts::TAU;
 use std::fmt::Write;
-use traverse_geometry::Point;
+use traverse_geometry::{Edge, Point, Segment};
 
 /// So many findings are marked in a picture and listed below it; the rest is counted.
 pub const MARKED_FINDINGS: usize = 40;
@@ -43,6 +44,13 @@ impl Kind {
     }
 }
 
+/// Points along the gaps of the findings that are marked: what markers and text must not cover.
+pub(super) fn gap_points(findings: &[DrawingFinding], frame: &Frame) -> Vec<(f64, f64)> {
+    let gaps = findings.iter().take(MARKED_FINDINGS).filter(|finding| can_be_drawn(finding.place));
+    let lines = gaps.filter_map(gap_of).map(|([a, b], _)| Edge::Segment(Segment::new(a, b)));
+    samples(lines, frame)
+}
+
 /// Rings, gaps, leaders and markers.
 pub(super) fn draw(svg: &mut String, findings: &[DrawingFinding], places: &mut Places, frame: &Frame) {
     let marked: Vec<(usize, &DrawingFinding)> = findings
@@ -58,10 +66,6 @@ pub(super) fn draw(svg: &mut String, findings: &[DrawingFinding], places: &mut P
             Some((ends, _)) => {
                 gap::draw(svg, ends, frame);
                 places.take(Box2::around(frame.place(ends[1]), RING));
-                for share in 1..8 {
-                    let at = ends[0] + (ends[1] - ends[0]) * (f64::from(share) / 8.0);
-                    places.take(Box2::around(frame.place(at), 2.0));
-                }
             }
             None => {
                 let _ = writeln!(svg, "<circle class=\"spot\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{RING}\"/>");

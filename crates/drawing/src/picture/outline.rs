@@ -33,12 +33,7 @@ pub(super) fn path_data(path: &Path, frame: &Frame) -> String {
 }
 
 /// Edges one after the other, joined at the end or not.
-pub(super) fn push_chain(
-    data: &mut String,
-    edges: impl Iterator<Item = Edge>,
-    closed: bool,
-    frame: &Frame,
-) {
+pub(super) fn push_chain(data: &mut String, edges: impl Iterator<Item = Edge>, closed: bool, frame: &Frame) {
     let mut edges = edges.peekable();
     let Some(first) = edges.peek() else { return };
     let (mut x, mut y) = frame.place(first.start());

@@ -23,7 +23,9 @@ pub(super) fn draw(svg: &mut String, shown: &Shown<'_>, frame: &Frame) {
     let lines: Vec<String> = shown.paths().iter().map(|path| path_data(path, frame)).collect();
     // What was lies beneath what is.
     let before: Vec<String> = shown.before().iter().map(|path| path_data(path, frame)).collect();
-    for (class, lines) in [("casing thin", &before), ("before", &before), ("casing", &lines), ("rapid", &lines)] {
+    for (class, lines) in
+        [("casing thin", &before), ("before", &before), ("casing", &lines), ("rapid", &lines)]
+    {
         for data in lines {
             let _ = writeln!(svg, "<path class=\"{class}\" d=\"{data}\"/>");
         }

@@ -110,12 +110,44 @@ pub(super) fn round_millimetres(value: f64) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::panic, reason = "a test fails by panicking")]
 mod tests {
-    use super::{Weight, fitted, round_millimetres, width_of, wrapped};
+    use super::{Weight, escaped, fitted, round_millimetres, width_of, wrapped};
+    use resvg::usvg::{Node, Tree};
+
+    /// The widths are upper bounds for the font of PNG pictures, and near ones.
+    #[test]
+    fn text_is_no_wider_than_measured() {
+        let all: String = (' '..='~').collect();
+        let mut texts: Vec<String> = all.chars().map(|c| format!("n{}n", c.to_string().repeat(20))).collect();
+        texts.extend([
+            all,
+            String::from("Öäß éñ Щж Ωλ … ≤ × °"),
+            String::from("rapid move 12.345 mm, AVAVA"),
+        ]);
+        for text in texts {
+            for (weight, style) in [(Weight::Regular, "normal"), (Weight::Bold, "bold")] {
+                let svg = format!(
+                    "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><text xml:space='preserve' \
+                     style='font-family:sans-serif;font-size:100px;font-weight:{style}'>{}</text></svg>",
+                    escaped(&text)
+                );
+                let tree = Tree::from_str(&svg, &crate::png::options()).expect("well-formed");
+                let Some(Node::Text(drawn)) = tree.root().children().first() else {
+                    panic!("no text: {text}")
+                };
+                let (drawn, measured) =
+                    (f64::from(drawn.bounding_box().width()), width_of(&text, 100.0, weight));
+                assert!(drawn <= measured + 0.1, "{text} {weight:?}: {drawn} {measured}");
+                assert!(!text.is_ascii() || measured <= 1.1 * drawn, "{text} {weight:?}: {drawn} {measured}");
+            }
+        }
+    }
 
     #[test]
     fn shortened_text_fits() {
-        for text in ["a word that is long", "日本語日本語日本語日本語", "WWWWWWWWWWWWWWWWWWWWW", ""] {
+        for text in ["a word that is long", "日本語日本語日本語日本語", "WWWWWWWWWWWWWWWWWWWWW", ""]
+        {
             for weight in [Weight::Regular, Weight::Bold] {
                 assert!(width_of(&fitted(text, 20.0, weight, 90.0), 20.0, weight) <= 90.0, "{text}");
                 let lines = wrapped(text, 20.0, weight, 90.0, 2);
