@@ -6,6 +6,7 @@ use super::layer_style::LayerStyle;
 use super::outline::push_chain;
 use super::text::escaped;
 use crate::{Curve, Drawing, JOIN_TOLERANCE_MM, Joined, Layer, join_loops};
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::fmt::Write;
 use traverse_geometry::Bounds;
@@ -20,7 +21,8 @@ const SPECK: f64 = 0.5;
 
 impl<'a> Layers<'a> {
     pub(super) fn of(drawing: &'a Drawing) -> Self {
-        let joined = |layer: &'a Layer| (layer, join_loops(&layer.name, &layer.curves, JOIN_TOLERANCE_MM));
+        let joined =
+            |layer: &'a Layer| (layer, join_loops(&layer.name, &drawable(&layer.curves), JOIN_TOLERANCE_MM));
         Self { layers: drawing.layers.iter().map(joined).collect() }
     }
 
@@ -57,6 +59,16 @@ impl<'a> Layers<'a> {
         }
         push_path(svg, "loops", &style.fill(), &data, "");
     }
+}
+
+/// The curves, with empty ones in place of those that can't be drawn.
+fn drawable(curves: &[Curve]) -> Cow<'_, [Curve]> {
+    let fits = |curve: &Curve| curve.vertices.iter().all(|&p| can_be_drawn(p));
+    if curves.iter().all(fits) {
+        return Cow::Borrowed(curves);
+    }
+    let nothing = || Curve::new(Vec::new(), Vec::new(), false);
+    curves.iter().map(|curve| if fits(curve) { curve.clone() } else { nothing() }).collect()
 }
 
 fn data_of<'a>(curves: impl Iterator<Item = &'a Curve>, frame: &Frame) -> String {
