@@ -24,6 +24,7 @@ mod scale_bar;
 mod shapes;
 mod shown;
 mod sign;
+mod square_cut;
 mod style;
 mod text;
 

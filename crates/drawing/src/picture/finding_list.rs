@@ -17,7 +17,7 @@ const MOST_LINES: usize = 4;
 
 /// Writes the list from `top` down; where it ends.
 pub(super) fn draw(svg: &mut String, findings: &[DrawingFinding], top: f64) -> f64 {
-    let mut y = top;
+    let mut y = top + SPACE;
     let width = WIDTH - 2.0 * MARGIN - INDENT;
     for (finding, number) in findings.iter().zip(1..).take(MARKED_FINDINGS) {
         y += SPACE;

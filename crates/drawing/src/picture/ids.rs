@@ -27,8 +27,8 @@ const MOST_ANCHORS: usize = 40;
 const MOST_EDGES: usize = 20_000;
 /// Ends of so many moves are named.
 const NAMED_MOVES: usize = 8;
-/// Free space between the names of ends and borders, where there is a choice.
-const BORDER_AIR: f64 = 4.0;
+/// Names keep off barriers up to this width, where there is a choice, canvas units.
+const WIDEST_BARRIER: f64 = 24.0;
 /// Scenes with more obstacles than this are labelled inside the obstacles only.
 const CROWDED: usize = 80;
 
@@ -44,6 +44,7 @@ pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, fr
     let mut places = Places::new(frame.area, &path, &borders);
     let ends = shown.ends();
     let size = mark_size(ends.len());
+    let barrier = (scene.clearance_mm.max(scene.border_clearance()) * frame.scale).min(WIDEST_BARRIER) + 2.0;
     for (start, target) in &ends {
         for end in [start, target] {
             places.take(Box2::around(frame.place(*end), size * (MARK_RADIUS + 2.0)));
@@ -51,7 +52,7 @@ pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, fr
     }
     for (start, target) in ends.iter().take(NAMED_MOVES) {
         for (end, name) in [(start, "start"), (target, "target")] {
-            end_name(svg, &mut places, frame.place(*end), name);
+            end_name(svg, &mut places, frame.place(*end), name, barrier);
         }
     }
     // The largest first: they have the most room, the small ones then find theirs beside them.
@@ -60,26 +61,29 @@ pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, fr
         shown.parts(&b.id).cmp(&shown.parts(&a.id)).then(b.shape.area().total_cmp(&a.shape.area()))
     });
     let named: Vec<Named<'_>> = order.into_iter().map(Named::new).collect();
-    let hardest = if crowded { 1 } else { 3 };
+    let hardest = if crowded { 1 } else { 4 };
     let mut waiting: Vec<usize> = (0..named.len()).collect();
     for effort in 0..hardest {
-        waiting.retain(|&i| !named[i].write(svg, &mut places, frame, effort, &named));
+        waiting.retain(|&i| !named[i].write(svg, &mut places, frame, (effort, barrier), &named));
     }
     waiting.into_iter().map(|i| named[i].obstacle.id.as_str()).filter(|id| !id.is_empty()).collect()
 }
 
-fn end_name(svg: &mut String, places: &mut Places, (x, y): (f64, f64), name: &str) {
+fn end_name(svg: &mut String, places: &mut Places, (x, y): (f64, f64), name: &str, barrier: f64) {
     let width = width_of(name, SMALL, Weight::Bold);
+    // Round the mark on a rectangle, from above it on, then on wider ones.
     let spots = [0.0, 12.0, 26.0].into_iter().flat_map(|away| {
-        (0..24).map(move |i| {
-            let angle = TAU * (f64::from(i) / 24.0 - 0.25);
+        (0..48).map(move |i| {
+            let angle = TAU * (f64::from(i) / 48.0 - 0.25);
+            let on_square = angle.cos().abs().max(angle.sin().abs());
             let (dx, dy) = (MARK_RADIUS + 8.0 + width / 2.0 + away, MARK_RADIUS + 6.0 + SMALL / 2.0 + away);
-            box_at(x + dx * angle.cos(), y + dy * angle.sin(), width, SMALL)
+            box_at(x + dx * angle.cos() / on_square, y + dy * angle.sin() / on_square, width, SMALL)
         })
     });
     let free: Vec<Box2> = spots.filter(|spot| places.is_free(spot)).collect();
     // Off the borders where there is a choice.
-    if let Some(&free) = free.iter().find(|spot| places.is_clear(&spot.grown(BORDER_AIR))).or(free.first()) {
+    let clear = |air: f64| free.iter().find(|spot| places.is_clear(&spot.grown(air)));
+    if let Some(&free) = clear(barrier).or(clear(0.0)).or(free.first()) {
         write_at(svg, places, "end", free, name);
     }
 }
@@ -112,9 +116,16 @@ impl<'a> Named<'a> {
         self.bounds.contains(p) && right.count() % 2 == 1
     }
 
-    /// Writes the id where there is room: at first inside the obstacle, then beside it in the open, then anywhere
-    /// off the path. Whether it could.
-    fn write(&self, svg: &mut String, places: &mut Places, frame: &Frame, effort: u8, all: &[Self]) -> bool {
+    /// Writes the id where there is room: at first inside the obstacle, then beside it off all barriers, then in the
+    /// open, then anywhere off the path. Whether it could.
+    fn write(
+        &self,
+        svg: &mut String,
+        places: &mut Places,
+        frame: &Frame,
+        (effort, barrier): (u8, f64),
+        all: &[Self],
+    ) -> bool {
         if self.obstacle.id.is_empty() {
             return false;
         }
@@ -141,14 +152,15 @@ impl<'a> Named<'a> {
             let p = frame.point(middle);
             let suits = |spot: &Box2| match effort {
                 0 => places.is_clear(spot) && self.holds(p),
-                1 => places.is_clear(spot) && !all.iter().any(|other| other.holds(p)),
+                1 => places.is_clear(&spot.grown(barrier)) && !all.iter().any(|other| other.holds(p)),
+                2 => places.is_clear(spot) && !all.iter().any(|other| other.holds(p)),
                 _ => true,
             };
             if !places.is_free(&spot) || !suits(&spot) {
                 continue;
             }
             let line = leader_points((x, y), &spot);
-            if effort == 2 || !line.iter().any(|&point| places.is_taken(point)) {
+            if effort == 3 || !line.iter().any(|&point| places.is_taken(point)) {
                 if !line.is_empty() {
                     leader(svg, places, (x, y), &line);
                 }

@@ -29,8 +29,11 @@ text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font
 .border.parts{stroke:#a3120a;stroke-width:5}
 .rim{fill:none;stroke:#b9770e}
 .barrier{fill:none;stroke:#fdebc8}
+.rim .cut{fill:#b9770e}
+.barrier .cut{fill:#fdebc8}
 .zone{fill:#fdebc8;stroke:#b9770e;stroke-width:1.3}
 .obstacle{fill:url(#hatch);fill-rule:evenodd;stroke:#39434e;stroke-width:1.8;stroke-linejoin:round}
+.fine .obstacle{stroke-width:.7}
 .obstacle.parts{fill:url(#cross);stroke:#a3120a;stroke-width:3}
 .casing{fill:none;stroke:#fff;stroke-width:9;stroke-linecap:round;stroke-linejoin:round}
 .casing.thin{stroke-width:6}
