@@ -1,14 +1,14 @@
 //! Draws what a DXF file becomes: `cargo run -p traverse-drawing --example draw -- OUT DRAWING [CLEARANCE [X,Y ...]]`.
 //!
 //! OUT ends in `.svg`, or in `.png` behind an optional width: `1200:plan.png`. Points make a path of straight moves,
-//! unchecked; a `/` before them says that there is none, `before` shows the straight move as it was. `inspect` instead
-//! of a clearance draws the drawing with its findings.
+//! unchecked; a `/` before them says that there is none, `before` shows the straight move as it was. `mitred`
+//! cuts corners square at twice the clearance. `inspect` instead of a clearance draws the drawing with its findings.
 
 use traverse_drawing::{
     ReadOptions, SceneOptions, Shown, picture_of_drawing, picture_of_plan, png_of_svg, read_dxf_from,
     scene_from_drawing,
 };
-use traverse_geometry::{Path, Point};
+use traverse_geometry::{CornerStyle, Path, Point};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let findings = made.map(|made| made.report.findings).unwrap_or_default();
         return write(&out, &picture_of_drawing(&drawing, &findings, &title));
     }
-    let made = scene_from_drawing(&drawing, &SceneOptions::new(clearance.parse()?))?;
+    let mut made = scene_from_drawing(&drawing, &SceneOptions::new(clearance.parse()?))?;
     eprint!("{}", made.report);
 
     let mut word = String::new();
@@ -47,6 +47,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         _ => Shown::Path(&path),
     };
+    if word == "mitred" {
+        made.scene.corner_style = CornerStyle::Miter { limit: Some(2.0) };
+    }
     write(&out, &picture_of_plan(&made.scene, shown, &title))
 }
 

@@ -2,13 +2,22 @@
 
 use super::Shown;
 use crate::{Drawing, DrawingFinding};
-use traverse_geometry::{Bounds, COORDINATE_LIMIT_MM, Point, Polygon, Scene};
+use traverse_geometry::{
+    Bounds, COORDINATE_LIMIT_MM, CornerStyle, MITER_RATIO_LIMIT, Obstacle, Point, Polygon, Scene,
+};
+
+/// Mitred corners are shown up to so many clearances; longer ones end at the picture's border.
+const MITRES_SHOWN: f64 = 2.5;
 
 /// Work area, obstacles with their barriers, moves.
 pub(super) fn of_scene(scene: &Scene, shown: &Shown<'_>) -> Bounds {
     let work_area = scene.work_area.iter().map(Polygon::bounds);
-    let obstacles =
-        scene.obstacles.iter().map(|obstacle| obstacle.shape.bounds().grown(scene.clearance_of(obstacle)));
+    let reach = match scene.corner_style {
+        CornerStyle::Round => 1.0,
+        CornerStyle::Miter { limit } => limit.unwrap_or(MITER_RATIO_LIMIT).clamp(1.0, MITRES_SHOWN),
+    };
+    let grown = |each: &Obstacle| each.shape.bounds().grown(reach * scene.clearance_of(each));
+    let obstacles = scene.obstacles.iter().map(grown);
     let paths = shown.paths().iter().chain(shown.before());
     let steps = paths.flat_map(|path| path.edges().map(|edge| edge.bounds()));
     let ends = shown.ends().into_iter().map(|(start, target)| Bounds::of([start, target]));

@@ -80,10 +80,10 @@ fn end_name(svg: &mut String, places: &mut Places, (x, y): (f64, f64), name: &st
             box_at(x + dx * angle.cos() / on_square, y + dy * angle.sin() / on_square, width, SMALL)
         })
     });
-    let free: Vec<Box2> = spots.filter(|spot| places.is_free(spot)).collect();
-    // Off the borders where there is a choice.
-    let clear = |air: f64| free.iter().find(|spot| places.is_clear(&spot.grown(air)));
-    if let Some(&free) = clear(barrier).or(clear(0.0)).or(free.first()) {
+    // Where the least of the borders is covered, then the least of the barriers.
+    let free = spots.filter(|spot| places.is_free(spot));
+    let cost = |spot: &Box2| (places.borders_in(spot), places.borders_in(&spot.grown(barrier)));
+    if let Some(free) = free.min_by_key(cost) {
         write_at(svg, places, "end", free, name);
     }
 }

@@ -1,7 +1,7 @@
 //! Work area, barriers and obstacles.
 
 use super::Shown;
-use super::frame::Frame;
+use super::frame::{Box2, Frame};
 use super::outline::polygon_data;
 use super::square_cut;
 use super::style::BARRIER_LINE;
@@ -17,24 +17,25 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
         scene.obstacles.iter().map(|obstacle| polygon_data(&obstacle.shape, frame)).collect();
     let border = scene.work_area.as_ref().map(|area| polygon_data(area, frame));
     if let Some(border) = &border {
-        let area = &frame.area;
         let _ = writeln!(
             svg,
-            "<rect class=\"outside\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>\n\
+            "{}\n\
              <path class=\"inside\" fill-rule=\"evenodd\" d=\"{border}\"/>\n\
              <clipPath id=\"work-area\"><path clip-rule=\"evenodd\" d=\"{border}\"/></clipPath>",
-            area.left,
-            area.top,
-            area.right - area.left,
-            area.bottom - area.top
+            rect(&frame.area, " class=\"outside\"")
         );
+    }
+    let mitred = scene.corner_style != CornerStyle::Round;
+    if border.is_none() && mitred {
+        // Control points may lie far outside.
+        let _ = writeln!(svg, "<clipPath id=\"work-area\">{}</clipPath>", rect(&frame.area, ""));
     }
     // All rims first, then all barriers: what remains of the rims is the outline of the union.
     let fine = scene.obstacles.len() > FINE_FROM;
     let line = if fine { BARRIER_LINE / 2.0 } else { BARRIER_LINE };
     for (class, rim) in [("rim", 2.0 * line), ("barrier", 0.0)] {
         // Where the tool may not be at all, barriers say nothing.
-        let clip = if border.is_some() { " clip-path=\"url(#work-area)\"" } else { "" };
+        let clip = if border.is_some() || mitred { " clip-path=\"url(#work-area)\"" } else { "" };
         let _ = writeln!(svg, "<g class=\"{class}\"{}{clip}>", joins(scene.corner_style));
         for (obstacle, data) in scene.obstacles.iter().zip(&obstacles) {
             let clearance = scene.clearance_of(obstacle);
@@ -63,6 +64,14 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
         let class = if shown.parts(WORK_AREA_ID) { "border parts" } else { "border" };
         let _ = writeln!(svg, "<path class=\"{class}\" d=\"{border}\"/>");
     }
+}
+
+fn rect(area: &Box2, class: &str) -> String {
+    let (width, height) = (area.right - area.left, area.bottom - area.top);
+    format!(
+        "<rect{class} x=\"{:.1}\" y=\"{:.1}\" width=\"{width:.1}\" height=\"{height:.1}\"/>",
+        area.left, area.top
+    )
 }
 
 /// The band within the clearance of a border; none for clearance 0.

@@ -46,10 +46,9 @@ pub(crate) fn chords(svg: &str, classes: &[&str]) -> Vec<[(f64, f64); 2]> {
     let document = roxmltree::Document::parse(svg).unwrap();
     let mut chords = Vec::new();
     for node in document.descendants() {
-        if node.attribute("class").is_some_and(|class| classes.contains(&class)) {
-            if let Some(data) = node.attribute("d") {
-                push_chords(&mut chords, data);
-            }
+        let meant = node.attribute("class").is_some_and(|class| classes.contains(&class));
+        if let Some(data) = node.attribute("d").filter(|_| meant) {
+            push_chords(&mut chords, data);
         }
     }
     chords
