@@ -8,7 +8,8 @@ use traverse_geometry::{Finding, Point};
 pub struct DrawingFinding {
     /// Layer name.
     pub layer: String,
-    /// Where to look, millimetres.
+    /// Where to look, millimetres: the crossing of loops that cross, a loose end of an open chain, the meeting point
+    /// of a junction, otherwise a vertex of what is meant.
     pub place: Point,
     /// What is wrong.
     pub fault: Fault,
@@ -72,15 +73,15 @@ impl fmt::Display for Fault {
             Self::Junction { ends } => {
                 write!(f, "{ends} ends meet, so loops can't be told apart; leave two ends at this point")
             }
-            Self::Duplicate => f.write_str("drawn twice; counted once"),
+            Self::Duplicate => f.write_str("drawn twice; counted once, delete one of both"),
             Self::TooShort { length_mm } => {
-                write!(f, "only {length_mm:.6} mm long, less than the joining tolerance; left out")
+                write!(f, "only {length_mm:.6} mm long, less than the joining tolerance; left out, delete it")
             }
-            Self::InvalidLoop { finding } => write!(f, "invalid loop, left out: {finding}"),
+            Self::InvalidLoop { finding } => write!(f, "invalid loop, left out: {}", finding.message),
             Self::CrossingLoops { finding } => {
-                write!(f, "lies partly inside another loop; both taken as solid: {finding}")
+                write!(f, "lies partly inside another loop; both taken as solid: {}", finding.message)
             }
-            Self::IslandInWorkArea => f.write_str("loop inside a hole of the work area; left out"),
+            Self::IslandInWorkArea => f.write_str("loop inside a hole of the work area; left out, delete it"),
         }
     }
 }

@@ -36,6 +36,8 @@ pub struct Joined {
     pub loops: Vec<Loop>,
     /// Open chains, junctions, duplicates, curves that are too short.
     pub findings: Vec<DrawingFinding>,
+    /// Curves, by place on the layer, that belong to open chains. Sorted.
+    pub open_curves: Vec<usize>,
 }
 
 impl Loop {
@@ -131,8 +133,10 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
     for chain in &found.chains {
         if chain.closed {
             loops.push(chain.to_loop(&links, curves, &snapped.vertices));
-        } else if let Some((place, fault)) = open_chain(chain, &links, curves, &snapped.vertices, &found.ends)
-        {
+            continue;
+        }
+        joined.open_curves.extend(chain.steps.iter().map(|step| links[step.link].curve));
+        if let Some((place, fault)) = open_chain(chain, &links, curves, &snapped.vertices, &found.ends) {
             report(place, fault);
         }
     }
@@ -143,6 +147,7 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
             .filter(|(_, curve)| sound(curve) && curve.closed)
             .map(|(i, curve)| Loop::of_curve(curve, i)),
     );
+    joined.open_curves.sort_unstable();
     loops.sort_by_key(|each| each.first_curve);
     joined.loops = duplicate::without_repeated_loops(loops, tolerance_mm, &mut |place| {
         report(place, Fault::Duplicate);

@@ -40,6 +40,7 @@ mod options;
 mod part;
 mod pattern;
 mod picture;
+mod png;
 mod profile;
 mod role_loops;
 mod roles;
@@ -68,7 +69,10 @@ pub use inspection::{Inspection, LayerInspection, inspect_drawing};
 pub use joining::{JOIN_TOLERANCE_MM, Joined, Loop, join_loops};
 pub use options::ReadOptions;
 pub use part::{Part, Section};
-pub use picture::{Shown, picture_of_plan};
+pub use picture::{MARKED_FINDINGS, Shown, picture_of_drawing, picture_of_plan};
+pub use png::{
+    LARGEST_PNG_PIXELS, LARGEST_PNG_WIDTH_PX, LARGEST_SVG_BYTES, PngError, SMALLEST_PNG_WIDTH_PX, png_of_svg,
+};
 pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles};
 pub use roles::{ObstacleRole, Role, Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};

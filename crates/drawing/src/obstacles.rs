@@ -29,6 +29,7 @@ pub(crate) fn shapes_of(layer: &RoleLoops<'_>, findings: &mut Vec<DrawingFinding
             continue;
         };
         let mut holes = Vec::new();
+        let mut hole_loops = Vec::new();
         for &child in children {
             let Some(hole) = layer.ring(child, findings) else {
                 outers.extend(&layer.forest.children[child]);
@@ -38,17 +39,19 @@ pub(crate) fn shapes_of(layer: &RoleLoops<'_>, findings: &mut Vec<DrawingFinding
                 Ok(_) => {
                     outers.extend(&layer.forest.children[child]);
                     holes.push(hole);
+                    hole_loops.push(child);
                 }
                 Err(why) => {
                     let fault = |finding| Fault::CrossingLoops { finding };
-                    findings.extend(layer.findings_at(child, why, fault));
+                    findings.extend(layer.findings_at(outer, &[child], why, fault));
                     outers.push(child);
                 }
             }
         }
         let shape = Polygon::new(outer_ring.clone(), holes).unwrap_or_else(|why| {
             // Holes that cross one another: none is taken, so that nothing drawn becomes passable by accident.
-            findings.extend(layer.findings_at(outer, why, |finding| Fault::CrossingLoops { finding }));
+            let fault = |finding| Fault::CrossingLoops { finding };
+            findings.extend(layer.findings_at(outer, &hole_loops, why, fault));
             Polygon::from_ring(outer_ring)
         });
         shapes.push((outer, shape));
@@ -69,39 +72,51 @@ impl RoleLoops<'_> {
         let bulges = if straight { Vec::new() } else { found.bulges.clone() };
         Ring::new(found.vertices.clone(), bulges)
             .map_err(|why| {
-                findings.extend(self.findings_at(each, why, |finding| Fault::InvalidLoop { finding }));
+                findings.extend(self.findings_at(each, &[], why, |finding| Fault::InvalidLoop { finding }));
             })
             .ok()
     }
 
-    /// What geometry says, with the layer and the place.
+    /// What geometry says of the loop `each` with the holes `holes`, with the layer and the place.
     pub(crate) fn findings_at(
         &self,
         each: usize,
+        holes: &[usize],
         why: Vec<Finding>,
         fault: impl Fn(Finding) -> Fault,
     ) -> Vec<DrawingFinding> {
-        let place = |finding: &Finding| self.place_of(each, finding);
-        let with_place = why.into_iter().map(|finding| (place(&finding), finding));
-        with_place
-            .map(|(place, finding)| DrawingFinding {
-                layer: self.layer.to_owned(),
-                place,
-                fault: fault(finding),
-            })
-            .collect()
+        let finding = |finding: Finding| DrawingFinding {
+            layer: self.layer.to_owned(),
+            place: self.place_of(each, holes, &finding),
+            fault: fault(finding),
+        };
+        why.into_iter().map(finding).collect()
     }
 
-    /// The vertex that the finding names by number, otherwise the first one.
-    fn place_of(&self, each: usize, finding: &Finding) -> Point {
-        let vertices = &self.loops[each].vertices;
-        let digits: String = finding
-            .field
-            .rsplit_once('[')
-            .map(|(_, number)| number.chars().take_while(char::is_ascii_digit).collect())
-            .unwrap_or_default();
-        let number = digits.parse::<usize>().unwrap_or(0);
-        let vertex = if finding.field.contains("xy_mm") { number / 2 } else { number };
+    /// The point that the finding names; otherwise the vertex or the hole that it names by number, otherwise the
+    /// loop's first vertex.
+    fn place_of(&self, each: usize, holes: &[usize], finding: &Finding) -> Point {
+        if let Some(named) = point_in(&finding.message) {
+            return named;
+        }
+        let field = finding.field.as_str();
+        let number = field.rsplit_once('[').and_then(|(_, number)| number.split(']').next()?.parse().ok());
+        let number = number.unwrap_or(0);
+        let hole = field.strip_prefix("holes[").and_then(|_| holes.get(number));
+        let vertices = &self.loops[hole.copied().unwrap_or(each)].vertices;
+        let vertex = match hole {
+            Some(_) => 0,
+            None if field.contains("xy_mm") => number / 2,
+            None => number,
+        };
         vertices.get(vertex).copied().unwrap_or(vertices[0])
     }
+}
+
+/// The first point `(x, y) mm` in a text, as geometry writes where edges cross.
+fn point_in(message: &str) -> Option<Point> {
+    let (before, _) = message.split_once(") mm")?;
+    let (_, pair) = before.rsplit_once('(')?;
+    let (x, y) = pair.split_once(", ")?;
+    Some(Point::new(x.parse().ok()?, y.parse().ok()?))
 }

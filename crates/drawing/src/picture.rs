@@ -1,83 +1,74 @@
-//! The picture of a plan: an SVG file, y up, legible in colour and in print.
+//! Pictures of plans and of drawings: SVG files, y up, legible in colour and in print.
 //!
-//! Sizes follow the scene's extent: the drawing fills a canvas of fixed width, lines and letters keep their size on
-//! it. Text stands above and below the drawing; the ids of obstacles are put where neither path nor marks are.
-//! Barriers need no offset curves: an obstacle's border stroked with twice its clearance, beneath the obstacle, is
-//! its barrier. Cost: linear, but for placing ids.
+//! Sizes follow the extent: the drawing fills a canvas of fixed width, lines and letters keep their size on it. Text
+//! stands above and below the drawing; labels in it are put where neither path nor marks are, and what finds no room
+//! is told below it. Barriers need no offset curves: an obstacle's border stroked with twice its clearance, beneath
+//! the obstacle, is its barrier. Cost: linear, but for placing labels.
 
+mod drawing_picture;
+mod extent;
+mod finding_list;
 mod frame;
+mod gap;
 mod header;
 mod ids;
 mod label;
+mod layer_style;
+mod layers;
 mod legend;
+mod markers;
 mod outline;
+mod plan_words;
 mod route;
 mod scale_bar;
 mod shapes;
+mod shown;
+mod sign;
+mod square_cut;
 mod style;
 mod text;
 
+pub use drawing_picture::picture_of_drawing;
+pub use markers::MARKED_FINDINGS;
+pub use shown::Shown;
+
 use frame::Frame;
-use traverse_geometry::{Path, Point, Scene};
+use traverse_geometry::Scene;
 
-/// What a picture shows besides the scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shown<'a> {
-    /// Nothing.
-    Scene,
-    /// A path, its ends and its length.
-    Path(&'a Path),
-    /// Several moves through one scene, with the sum of their lengths.
-    Paths(&'a [Path]),
-    /// That there is no path: the obstacles that part start from target stand out.
-    NoPath {
-        /// Where the tool is.
-        start: Point,
-        /// Where it should go.
-        target: Point,
-        /// Ids of the obstacles that part both; `work_area` stands for the border.
-        separating: &'a [String],
-    },
-}
-
-impl<'a> Shown<'a> {
-    fn paths(&self) -> &'a [Path] {
-        match *self {
-            Self::Path(path) => std::slice::from_ref(path),
-            Self::Paths(paths) => paths,
-            Self::Scene | Self::NoPath { .. } => &[],
-        }
-    }
-
-    /// Start and target of each move.
-    fn ends(&self) -> Vec<(Point, Point)> {
-        match *self {
-            Self::NoPath { start, target, .. } => vec![(start, target)],
-            _ => self.paths().iter().map(|path| (path.start, path.end())).collect(),
-        }
-    }
-
-    fn parts(&self, id: &str) -> bool {
-        matches!(self, Self::NoPath { separating, .. } if separating.iter().any(|each| each == id))
-    }
-}
+/// Free border of the drawing, as a share of its extent.
+const AIR: f64 = 0.025;
 
 /// The picture of a plan as an SVG file. `title` stands on top; it may be empty.
 ///
 /// Equal arguments give equal text, byte for byte.
 #[must_use]
 pub fn picture_of_plan(scene: &Scene, shown: Shown<'_>, title: &str) -> String {
-    let header = header::Header::new(scene, &shown, title);
-    let frame = Frame::new(scene, &shown, header.height());
-    let legend = legend::Legend::new(scene, &shown, &frame);
-    let height = legend.bottom() + frame::MARGIN;
-    let mut svg = style::opening(frame::WIDTH, height, &header.summary());
-    shapes::draw(&mut svg, scene, &shown, &frame);
-    route::draw(&mut svg, &shown, &frame);
-    ids::draw(&mut svg, scene, &shown, &frame);
+    let header = plan_words::header(scene, &shown, title);
+    let frame = Frame::new(extent::of_scene(scene, &shown), AIR, header.height());
+    let mut body = String::new();
+    shapes::draw(&mut body, scene, &shown, &frame);
+    route::draw(&mut body, &shown, &frame);
+    let unnamed = ids::draw(&mut body, scene, &shown, &frame);
+    let entries = plan_words::legend(scene, &shown);
+    let legend = legend::Legend::new(entries, plan_words::unnamed(&unnamed, scene.obstacles.len()), &frame);
+    file(&header, &frame, &body, &legend, legend.bottom(), "")
+}
+
+/// The whole file: header, drawing, scale bar, legend, and what stands below.
+fn file(
+    header: &header::Header,
+    frame: &Frame,
+    body: &str,
+    legend: &legend::Legend,
+    bottom: f64,
+    below: &str,
+) -> String {
+    let mut svg = style::opening(frame::WIDTH, (bottom + frame::MARGIN).ceil(), &header.summary());
+    svg.push_str(body);
     header.draw(&mut svg);
-    scale_bar::draw(&mut svg, &frame);
+    scale_bar::draw(&mut svg, frame);
     legend.draw(&mut svg);
+    svg.push_str(below);
     svg.push_str("</svg>\n");
     svg
 }

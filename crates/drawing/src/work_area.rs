@@ -28,8 +28,8 @@ pub(crate) fn work_area_of(
     };
     let mut invalid = Vec::new();
     let outer = layer.ring(root, &mut invalid);
-    let holes: Vec<_> =
-        layer.forest.children[root].iter().filter_map(|&hole| layer.ring(hole, &mut invalid)).collect();
+    let children = &layer.forest.children[root];
+    let holes: Vec<_> = children.iter().filter_map(|&hole| layer.ring(hole, &mut invalid)).collect();
     let Some(outer) = outer else {
         return Err(SceneError::InvalidWorkArea { findings: invalid });
     };
@@ -38,7 +38,7 @@ pub(crate) fn work_area_of(
         return Err(SceneError::InvalidWorkArea { findings: invalid });
     }
     let area = Polygon::new(outer, holes).map_err(|why| SceneError::InvalidWorkArea {
-        findings: layer.findings_at(root, why, |finding| Fault::InvalidLoop { finding }),
+        findings: layer.findings_at(root, children, why, |finding| Fault::InvalidLoop { finding }),
     })?;
     findings.extend(on_layers);
     for (island, &depth) in layer.forest.depths.iter().enumerate() {

@@ -48,6 +48,39 @@ fn a_path_and_no_path() {
     );
 }
 
+/// A needle's barrier ends at the limit's distance from its tip, as it is planned, not at the bevel.
+#[test]
+fn mitred_corners_are_cut_square_at_the_limit() {
+    let needle = [(0.0, 0.0), (100.0, 5.0), (0.0, 10.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+    let shape = Polygon::from_ring(Ring::new(needle, Vec::new()).unwrap());
+    let mut scene = Scene {
+        work_area: None,
+        obstacles: vec![Obstacle { id: String::from("NEEDLE"), shape, clearance_mm: None }],
+        clearance_mm: 10.0,
+        work_area_clearance_mm: None,
+        corner_style: CornerStyle::Miter { limit: Some(2.0) },
+    };
+    let svg = picture_of_plan(&scene, Shown::Scene, "");
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let cuts: Vec<&str> = document
+        .descendants()
+        .filter(|node| node.attribute("class") == Some("cut"))
+        .filter_map(|node| node.attribute("d"))
+        .collect();
+    assert_eq!(cuts.len(), 2);
+    let corners: Vec<(f64, f64)> = cuts[0][1..cuts[0].len() - 1]
+        .split('L')
+        .map(|pair| pair.split_once(' ').unwrap())
+        .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+        .collect();
+    let [vertex, from, first, second, to] = corners[..] else { panic!("{corners:?}") };
+    let scale = (from.0 - vertex.0).hypot(from.1 - vertex.1) / 10.0;
+    assert!((first.0 - vertex.0 - 20.0 * scale).abs() < 0.05 && (first.0 - second.0).abs() < 0.05);
+    assert!((to.0 - from.0).abs() < 0.05);
+    scene.corner_style = CornerStyle::Miter { limit: None };
+    assert!(!picture_of_plan(&scene, Shown::Scene, "").contains("\"cut\""));
+}
+
 #[test]
 fn every_obstacle_is_there_and_text_is_escaped() {
     let ring = |x: f64| {

@@ -1,18 +1,16 @@
 //! Where on the canvas a point of the plane comes to lie.
 
-use super::Shown;
-use traverse_geometry::{Bounds, Point, Scene};
+use traverse_geometry::{Bounds, Point};
 
-/// Width of the canvas; everything else follows from it.
-pub(super) const WIDTH: f64 = 1200.0;
+/// Width of the canvas; everything else follows from it. Letters are about a fiftieth of it, so that they can be read
+/// in a picture of 400 pixels too.
+pub(super) const WIDTH: f64 = 1000.0;
 /// Free border of the canvas.
-pub(super) const MARGIN: f64 = 36.0;
+pub(super) const MARGIN: f64 = 30.0;
 /// The drawing is at most this high.
-const GREATEST_HEIGHT: f64 = 1100.0;
+const GREATEST_HEIGHT: f64 = 940.0;
 /// The drawing's box is at least this high.
 const LEAST_HEIGHT: f64 = 160.0;
-/// Free border of the drawing, as a share of its extent.
-const AIR: f64 = 0.025;
 
 /// A rectangle of the canvas, y down.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +36,21 @@ impl Box2 {
             && self.bottom <= other.bottom
     }
 
+    /// The box with `air` around it.
+    pub(super) fn grown(&self, air: f64) -> Self {
+        Self {
+            left: self.left - air,
+            top: self.top - air,
+            right: self.right + air,
+            bottom: self.bottom + air,
+        }
+    }
+
+    /// The square of half side `r` around a point.
+    pub(super) fn around((x, y): (f64, f64), r: f64) -> Self {
+        Self { left: x - r, top: y - r, right: x + r, bottom: y + r }
+    }
+
     /// Distance from a point, 0 inside.
     pub(super) fn distance(&self, (x, y): (f64, f64)) -> f64 {
         let dx = (self.left - x).max(x - self.right).max(0.0);
@@ -58,10 +71,11 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub(super) fn new(scene: &Scene, shown: &Shown<'_>, header_height: f64) -> Self {
-        let extent = extent(scene, shown);
+    /// Shows `extent`, a box of 1 mm when that is empty, with a free border of `air`, a share of its size.
+    pub(super) fn new(extent: Bounds, air: f64, header_height: f64) -> Self {
+        let extent = with_size(extent);
         let size = extent.size();
-        let air = AIR * size.x.max(size.y).max(1e-9);
+        let air = air * size.x.max(size.y).max(1e-9);
         let extent = extent.grown(air);
         let size = extent.size();
         let width = WIDTH - 2.0 * MARGIN;
@@ -85,17 +99,11 @@ impl Frame {
     }
 }
 
-/// Everything that is drawn, with the barriers; a box of 1 mm when there is nothing.
-fn extent(scene: &Scene, shown: &Shown<'_>) -> Bounds {
-    let work_area = scene.work_area.iter().map(traverse_geometry::Polygon::bounds);
-    let obstacles =
-        scene.obstacles.iter().map(|obstacle| obstacle.shape.bounds().grown(scene.clearance_of(obstacle)));
-    let steps = shown.paths().iter().flat_map(|path| path.edges().map(|edge| edge.bounds()));
-    let ends = shown.ends().into_iter().map(|(start, target)| Bounds::of([start, target]));
-    let all = work_area.chain(obstacles).chain(steps).chain(ends).fold(Bounds::EMPTY, Bounds::union);
-    if all.is_empty() {
+/// The box, of a size above 0.
+fn with_size(extent: Bounds) -> Bounds {
+    if extent.is_empty() {
         return Bounds::of([Point::origin(), Point::new(1.0, 1.0)]);
     }
-    let size = all.size();
-    if size.x.max(size.y) > 0.0 { all } else { all.grown(0.5) }
+    let size = extent.size();
+    if size.x.max(size.y) > 0.0 { extent } else { extent.grown(0.5) }
 }

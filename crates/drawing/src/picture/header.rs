@@ -1,10 +1,8 @@
-//! What stands above the drawing: title, length or that there is no path, clearance.
+//! What stands above the drawing: title and lines.
 
-use super::Shown;
 use super::frame::{MARGIN, WIDTH};
 use super::style::{LARGE, SMALL};
-use super::text::{fitted, millimetres, push_text, width_of};
-use traverse_geometry::{CornerStyle, Scene};
+use super::text::{Weight, fitted, push_text, wrapped};
 
 /// The lines above the drawing, each with its style and letter size.
 pub(super) struct Header {
@@ -13,45 +11,38 @@ pub(super) struct Header {
 
 /// From line to line, as a multiple of the letter size.
 const LEADING: f64 = 1.4;
-/// Most lines that ids of separating obstacles fill.
+/// Most lines that one statement fills.
 const MOST_LINES: usize = 4;
 
 impl Header {
-    pub(super) fn new(scene: &Scene, shown: &Shown<'_>, title: &str) -> Self {
+    /// The title alone; nothing when it is empty.
+    pub(super) fn titled(title: &str) -> Self {
         let mut lines = Vec::new();
-        let width = WIDTH - 2.0 * MARGIN;
         if !title.is_empty() {
-            lines.push(("title", LARGE, fitted(title, LARGE * 1.06, width)));
-        }
-        match shown {
-            Shown::NoPath { separating, .. } => {
-                let said = if separating.is_empty() {
-                    vec![String::from("no path: the work area's border parts start from target")]
-                } else {
-                    wrapped(
-                        &format!("no path: start and target are parted by {}", separating.join(", ")),
-                        width,
-                    )
-                };
-                lines.extend(said.into_iter().map(|line| ("alert", SMALL, line)));
-                lines.push(("", SMALL, clearance(scene)));
-            }
-            Shown::Scene => lines.push(("", SMALL, clearance(scene))),
-            Shown::Path(_) | Shown::Paths(_) => {
-                let lengths: f64 = shown.paths().iter().map(traverse_geometry::Path::length).sum();
-                let straight: f64 = shown.ends().iter().map(|(start, target)| (target - start).norm()).sum();
-                let count = shown.paths().len();
-                let what = if count == 1 { "rapid move".to_owned() } else { format!("{count} rapid moves") };
-                let text = format!(
-                    "{what} {}, straight {}, {}",
-                    millimetres(lengths),
-                    millimetres(straight),
-                    clearance(scene)
-                );
-                lines.push(("", SMALL, fitted(&text, SMALL, width)));
-            }
+            lines.push(("title", LARGE, fitted(title, LARGE, Weight::Bold, WIDTH - 2.0 * MARGIN)));
         }
         Self { lines }
+    }
+
+    /// With a statement below, broken at its spaces.
+    pub(super) fn with(self, text: &str) -> Self {
+        self.with_lines("", Weight::Regular, text)
+    }
+
+    /// With a statement that stands out.
+    pub(super) fn with_alert(self, text: &str) -> Self {
+        self.with_lines("alert", Weight::Bold, text)
+    }
+
+    /// With a statement in bold.
+    pub(super) fn with_strong(self, text: &str) -> Self {
+        self.with_lines("strong", Weight::Bold, text)
+    }
+
+    fn with_lines(mut self, class: &'static str, weight: Weight, text: &str) -> Self {
+        let lines = wrapped(text, SMALL, weight, WIDTH - 2.0 * MARGIN, MOST_LINES);
+        self.lines.extend(lines.into_iter().map(|line| (class, SMALL, line)));
+        self
     }
 
     /// With the space below it.
@@ -71,37 +62,4 @@ impl Header {
             y += size * LEADING;
         }
     }
-}
-
-fn clearance(scene: &Scene) -> String {
-    let corners = match scene.corner_style {
-        CornerStyle::Round => "round corners",
-        CornerStyle::Miter { .. } => "mitred corners",
-    };
-    format!("clearance {}, {corners}", millimetres(scene.clearance_mm))
-}
-
-/// The text broken at its spaces.
-fn wrapped(text: &str, width: f64) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let line = lines.last().map_or("", String::as_str);
-        // Bold letters are wider.
-        if !line.is_empty() && width_of(&format!("{line} {word}"), SMALL * 1.06) > width {
-            if lines.len() == MOST_LINES {
-                if let Some(last) = lines.last_mut() {
-                    last.push_str(" …");
-                }
-                return lines;
-            }
-            lines.push(String::new());
-        }
-        if let Some(last) = lines.last_mut() {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(&fitted(word, SMALL * 1.06, width));
-        }
-    }
-    lines
 }

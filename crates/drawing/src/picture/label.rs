@@ -24,14 +24,18 @@ impl Points {
         Self(cells)
     }
 
-    fn any_near(&self, area: &Box2, air: f64) -> bool {
+    fn near<'a>(&'a self, area: &'a Box2, air: f64) -> impl Iterator<Item = &'a (f64, f64)> + 'a {
         let (first_x, first_y) = cell(area.left - air, area.top - air);
         let (last_x, last_y) = cell(area.right + air, area.bottom + air);
         (first_x..=last_x)
-            .flat_map(|x| (first_y..=last_y).map(move |y| (x, y)))
+            .flat_map(move |x| (first_y..=last_y).map(move |y| (x, y)))
             .filter_map(|key| self.0.get(&key))
             .flatten()
-            .any(|&point| area.distance(point) < air)
+            .filter(move |&&point| area.distance(point) < air)
+    }
+
+    fn any_near(&self, area: &Box2, air: f64) -> bool {
+        self.near(area, air).next().is_some()
     }
 }
 
@@ -62,15 +66,15 @@ impl Places {
 
     /// Whether the box is free of labels, marks and path.
     pub(super) fn is_free(&self, area: &Box2) -> bool {
-        let near = Box2 {
-            left: area.left - AIR,
-            top: area.top - AIR,
-            right: area.right + AIR,
-            bottom: area.bottom + AIR,
-        };
+        let near = area.grown(AIR);
         area.within(&self.within)
             && !self.taken.iter().any(|other| other.meets(&near))
             && !self.path.any_near(area, PATH_AIR)
+    }
+
+    /// How much of the borders runs through the box.
+    pub(super) fn borders_in(&self, area: &Box2) -> usize {
+        self.borders.near(area, BORDER_AIR).count()
     }
 
     /// Whether no border runs through the box.

@@ -1,69 +1,46 @@
 //! What the lines and fills mean, below the drawing. Only what the picture holds.
 
-use super::Shown;
 use super::frame::{Frame, MARGIN, WIDTH};
-use super::route::{MARK_RADIUS, start_mark, target_mark};
 use super::scale_bar;
+use super::sign::Sign;
 use super::style::SMALL;
-use super::text::{push_text, width_of};
-use std::fmt::Write;
-use traverse_geometry::Scene;
+use super::text::{Weight, fitted, push_text, width_of};
 
 /// Where the legend's entries stand.
 pub(super) struct Legend {
-    entries: Vec<(Sign, &'static str, f64, f64)>,
+    entries: Vec<(Sign, String, f64, f64)>,
+    note: Option<(String, f64)>,
     bottom: f64,
 }
 
-#[derive(Clone, Copy)]
-enum Sign {
-    WorkArea,
-    Obstacle(&'static str),
-    Barrier,
-    Line(&'static str),
-    Start,
-    Target,
-}
-
-/// Width of a sign.
-const SIGN: f64 = 44.0;
 /// Height of a row.
 const ROW: f64 = 32.0;
+/// Between a sign and its text.
+const SPACE: f64 = 8.0;
 
 impl Legend {
-    pub(super) fn new(scene: &Scene, shown: &Shown<'_>, frame: &Frame) -> Self {
-        let mut wanted = Vec::new();
-        let barriers = scene.obstacles.iter().any(|obstacle| scene.clearance_of(obstacle) > 0.0)
-            || scene.work_area.is_some() && scene.border_clearance() > 0.0;
-        let parted = matches!(shown, Shown::NoPath { .. });
-        let ends = !shown.ends().is_empty();
-        for (holds, sign, name) in [
-            (scene.work_area.is_some(), Sign::WorkArea, "work area"),
-            (!scene.obstacles.is_empty(), Sign::Obstacle("obstacle"), "obstacle"),
-            (barriers, Sign::Barrier, "barrier"),
-            (parted, Sign::Obstacle("obstacle parts"), "parts start from target"),
-            (!shown.paths().is_empty(), Sign::Line("rapid"), "rapid move"),
-            (parted, Sign::Line("wish"), "wanted"),
-            (ends, Sign::Start, "start"),
-            (ends, Sign::Target, "target"),
-        ] {
-            if holds {
-                wanted.push((sign, name));
-            }
-        }
+    /// Entries in rows beside the scale bar, then a note in a line of its own; none when it is empty.
+    pub(super) fn new(wanted: Vec<(Sign, String)>, note: String, frame: &Frame) -> Self {
         let left = MARGIN + scale_bar::SPACE;
         let (mut x, mut y) = (left, frame.area.bottom + 28.0);
         let mut entries = Vec::new();
-        for (sign, name) in wanted {
-            let width = sign.width() + 8.0 + width_of(name, SMALL) + 22.0;
+        for (sign, text) in wanted {
+            let most = WIDTH - MARGIN - left - sign.width() - SPACE;
+            let text = fitted(&text, SMALL, Weight::Regular, most);
+            let width = sign.width() + SPACE + width_of(&text, SMALL, Weight::Regular);
             if x + width > WIDTH - MARGIN && x > left {
                 (x, y) = (left, y + ROW);
             }
-            entries.push((sign, name, x, y));
-            x += width;
+            entries.push((sign, text, x, y));
+            x += width + 22.0;
         }
-        let bottom = (y + ROW / 2.0).max(frame.area.bottom + 24.0 + 9.0 + SMALL * 1.5);
-        Self { entries, bottom }
+        let mut bottom = (y + ROW / 2.0).max(frame.area.bottom + scale_bar::HEIGHT_WITH_FIGURES);
+        let note = (!note.is_empty()).then(|| {
+            let text = fitted(&note, SMALL, Weight::Regular, WIDTH - 2.0 * MARGIN);
+            bottom += ROW;
+            (text, bottom - SMALL * 0.3)
+        });
+        Self { entries, note, bottom }
     }
 
     pub(super) fn bottom(&self) -> f64 {
@@ -71,46 +48,12 @@ impl Legend {
     }
 
     pub(super) fn draw(&self, svg: &mut String) {
-        for &(sign, name, x, y) in &self.entries {
-            sign.draw(svg, x, y);
-            push_text(svg, "", x + sign.width() + 8.0, y + SMALL * 0.35, name);
+        for (sign, text, x, y) in &self.entries {
+            sign.draw(svg, *x, *y);
+            push_text(svg, "", x + sign.width() + SPACE, y + SMALL * 0.35, text);
         }
-    }
-}
-
-impl Sign {
-    fn width(self) -> f64 {
-        match self {
-            Self::Start | Self::Target => 2.0 * MARK_RADIUS + 4.0,
-            _ => SIGN,
+        if let Some((text, y)) = &self.note {
+            push_text(svg, "note", MARGIN, *y, text);
         }
-    }
-
-    fn draw(self, svg: &mut String, x: f64, y: f64) {
-        let (right, middle) = (x + SIGN, x + self.width() / 2.0);
-        let rect = |class: &str, style: &str| {
-            format!(
-                "<rect class=\"{class}\" x=\"{x:.1}\" y=\"{:.1}\" width=\"{SIGN}\" height=\"20\"{style}/>",
-                y - 10.0
-            )
-        };
-        let _ = match self {
-            Self::WorkArea => {
-                writeln!(svg, "<path class=\"border\" d=\"M{x:.1} {y:.1}H{right:.1}\"/>")
-            }
-            Self::Obstacle(class) => writeln!(svg, "{}", rect(class, "")),
-            Self::Barrier => {
-                writeln!(svg, "{}", rect("", " fill=\"#fdebc8\" stroke=\"#b9770e\" stroke-width=\"1.3\""))
-            }
-            Self::Line(class) => writeln!(svg, "<path class=\"{class}\" d=\"M{x:.1} {y:.1}H{right:.1}\"/>"),
-            Self::Start => {
-                start_mark(svg, middle, y);
-                Ok(())
-            }
-            Self::Target => {
-                target_mark(svg, middle, y);
-                Ok(())
-            }
-        };
     }
 }

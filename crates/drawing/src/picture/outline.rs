@@ -8,26 +8,47 @@ use traverse_geometry::{Edge, Path, Polygon};
 /// Arcs whose middle is nearer than this to their chord are drawn straight, canvas units.
 const FLAT: f64 = 0.01;
 
+/// Straight steps shorter than this are drawn with the next one, canvas units: what is finer can't be seen, and bounds
+/// the size of the file.
+const FINE: f64 = 0.15;
+
 /// A polygon: outer ring and holes, for the even-odd rule.
 pub(super) fn polygon_data(polygon: &Polygon, frame: &Frame) -> String {
     let mut data = String::new();
     for ring in polygon.rings() {
-        if let Some(first) = ring.vertices().first() {
-            let (x, y) = frame.place(*first);
-            let _ = write!(data, "M{x:.2} {y:.2}");
-            ring.edges().for_each(|edge| push_edge(&mut data, &edge, frame));
-            data.push('Z');
-        }
+        push_chain(&mut data, ring.edges(), true, frame);
     }
     data
 }
 
 /// A path from its start to its end.
 pub(super) fn path_data(path: &Path, frame: &Frame) -> String {
-    let (x, y) = frame.place(path.start);
-    let mut data = format!("M{x:.2} {y:.2}");
-    path.edges().for_each(|edge| push_edge(&mut data, &edge, frame));
+    let mut data = String::new();
+    push_chain(&mut data, path.edges(), false, frame);
+    if data.is_empty() {
+        let (x, y) = frame.place(path.start);
+        let _ = write!(data, "M{x:.2} {y:.2}");
+    }
     data
+}
+
+/// Edges one after the other, joined at the end or not.
+pub(super) fn push_chain(data: &mut String, edges: impl Iterator<Item = Edge>, closed: bool, frame: &Frame) {
+    let mut edges = edges.peekable();
+    let Some(first) = edges.peek() else { return };
+    let (mut x, mut y) = frame.place(first.start());
+    let _ = write!(data, "M{x:.2} {y:.2}");
+    while let Some(edge) = edges.next() {
+        let (to_x, to_y) = frame.place(edge.end());
+        let fine = matches!(edge, Edge::Segment(_)) && (to_x - x).hypot(to_y - y) < FINE;
+        if !fine || edges.peek().is_none() {
+            push_edge(data, &edge, frame);
+            (x, y) = (to_x, to_y);
+        }
+    }
+    if closed {
+        data.push('Z');
+    }
 }
 
 fn push_edge(data: &mut String, edge: &Edge, frame: &Frame) {

@@ -2,17 +2,19 @@
 
 use super::frame::{Frame, MARGIN};
 use super::style::SMALL;
-use super::text::{millimetres, push_text};
+use super::text::{push_text, round_millimetres};
 use std::fmt::Write;
 
 /// Width of the bar at most, canvas units.
-const LONGEST: f64 = 260.0;
+const LONGEST: f64 = 220.0;
 /// Height of the bar.
 const HEIGHT: f64 = 9.0;
 /// Fields of the bar.
 const FIELDS: u8 = 4;
 /// Width that the scale bar needs with its figures.
-pub(super) const SPACE: f64 = LONGEST + 110.0;
+pub(super) const SPACE: f64 = LONGEST + 100.0;
+/// From the drawing down to the end of the figures.
+pub(super) const HEIGHT_WITH_FIGURES: f64 = 24.0 + HEIGHT + SMALL * 1.5;
 
 pub(super) fn draw(svg: &mut String, frame: &Frame) {
     let length = round_length(LONGEST / frame.scale);
@@ -28,7 +30,7 @@ pub(super) fn draw(svg: &mut String, frame: &Frame) {
     }
     let text_y = top + HEIGHT + SMALL * 1.1;
     push_text(svg, "mid", left, text_y, "0");
-    push_text(svg, "mid", left + f64::from(FIELDS) * field, text_y, &millimetres(length));
+    push_text(svg, "mid", left + f64::from(FIELDS) * field, text_y, &round_millimetres(length));
 }
 
 /// The greatest of 1, 2, 5 times a power of ten that is not above `longest`.

@@ -5,15 +5,21 @@ use std::fmt::Write;
 
 /// Letter size of ids and of the legend.
 pub(super) const SMALL: f64 = 21.0;
+/// Letter size of the list of findings.
+pub(super) const SAID: f64 = 19.0;
+/// Letter size of the markers' numbers.
+pub(super) const NUMBER: f64 = 17.0;
 /// Letter size of the header.
 pub(super) const LARGE: f64 = 27.0;
 /// Weight of the barrier's outline.
 pub(super) const BARRIER_LINE: f64 = 1.3;
 
 const SHEET: &str = "
-text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font-size:21px;fill:#1c2733}
+text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font-size:21px;font-kerning:none;fill:#1c2733}
 .title{font-size:27px;font-weight:bold}
 .alert{font-weight:bold;fill:#a3120a}
+.strong{font-weight:bold}
+.note{fill:#5c6670}
 .id,.end{text-anchor:middle;stroke:#fff;stroke-width:4.5px;stroke-linejoin:round;paint-order:stroke}
 .end{font-weight:bold}
 .mid{text-anchor:middle}
@@ -23,15 +29,34 @@ text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font
 .border.parts{stroke:#a3120a;stroke-width:5}
 .rim{fill:none;stroke:#b9770e}
 .barrier{fill:none;stroke:#fdebc8}
+.rim .cut{fill:#b9770e}
+.barrier .cut{fill:#fdebc8}
+.zone{fill:#fdebc8;stroke:#b9770e;stroke-width:1.3}
 .obstacle{fill:url(#hatch);fill-rule:evenodd;stroke:#39434e;stroke-width:1.8;stroke-linejoin:round}
+.fine .obstacle{stroke-width:.7}
 .obstacle.parts{fill:url(#cross);stroke:#a3120a;stroke-width:3}
 .casing{fill:none;stroke:#fff;stroke-width:9;stroke-linecap:round;stroke-linejoin:round}
+.casing.thin{stroke-width:6}
+.before{fill:none;stroke:#5c6670;stroke-width:2.2;stroke-dasharray:5 5;stroke-linejoin:round}
 .rapid{fill:none;stroke:#0b4fc4;stroke-width:4;stroke-dasharray:15 8;stroke-linejoin:round}
 .arrow{fill:#0b4fc4;stroke:#fff;stroke-width:1.2}
 .wish{fill:none;stroke:#5c6670;stroke-width:2.5;stroke-dasharray:3 8;stroke-linecap:round}
 .mark{fill:#fff;stroke:#0b1f33;stroke-width:3}
 .dot{fill:#0b1f33}
 .leader{stroke:#39434e;stroke-width:1.2}
+.curve{fill:none;stroke-linejoin:round}
+.curve.sample{stroke:#1c2733;stroke-width:2.4}
+.loops{fill-rule:evenodd;fill-opacity:.1;stroke:none}
+.glow{fill:none;stroke:#ffc4b8;stroke-width:13;stroke-linejoin:round}
+.loose{fill:#fff;stroke:#a3120a;stroke-width:2.4}
+.gapline{stroke:#a3120a;stroke-width:2.6;stroke-dasharray:6 5;fill:none}
+.spot{fill:none;stroke:#a3120a;stroke-width:2.6}
+.pointer{stroke:#a3120a;stroke-width:1.8;fill:none}
+.lost{fill:#a3120a;stroke:#fff;stroke-width:2}
+.kept{fill:#fff;stroke:#a3120a;stroke-width:2.6}
+.number{font-size:17px;font-weight:bold;text-anchor:middle}
+.number.on{fill:#fff}
+.said{font-size:19px}
 .tick{fill:#1c2733;stroke:#1c2733;stroke-width:1.2}
 .gap{fill:#fff;stroke:#1c2733;stroke-width:1.2}
 ";
