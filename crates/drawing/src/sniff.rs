@@ -7,10 +7,13 @@ const SNIFFED_BYTES: usize = 1024;
 pub(crate) fn looks_like(bytes: &[u8]) -> &'static str {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
     let start = text[..text.len().min(SNIFFED_BYTES)].to_ascii_lowercase();
-    let holds = |mark: &[u8]| start.windows(mark.len()).any(|window| window == mark);
-    if start.starts_with(b"<!doctype html") || holds(b"<html") {
+    let place =
+        |mark: &[u8]| start.windows(mark.len()).position(|window| window == mark).unwrap_or(usize::MAX);
+    let (html, svg) =
+        (place(b"<html").min(place(b"<!doctype html")), place(b"<svg").min(place(b"<!doctype svg")));
+    if html < svg {
         "a web page (HTML)"
-    } else if holds(b"<svg") || holds(b"<!doctype svg") {
+    } else if svg < html {
         "an SVG drawing"
     } else if start.starts_with(b"<") {
         "an XML file"

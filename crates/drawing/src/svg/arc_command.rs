@@ -42,7 +42,7 @@ impl ArcCommand {
         let to_center = if reach >= 1.0 {
             Vector::zeros()
         } else {
-            Vector::new(half.y, -half.x).try_normalize(0.0)? * (height * side)
+            Vector::new(-half.y, half.x).try_normalize(0.0)? * (height * side)
         };
         let (first, second) = (x_axis * (rx * scale), y_axis * (ry * scale));
         let center = start + chord + first * to_center.x + second * to_center.y;

@@ -50,6 +50,9 @@ const NOT_DRAWN: [&str; 26] = [
     "view",
 ];
 
+/// Elements that write; `flowRoot` is an older Inkscape's.
+const TEXT: [&str; 2] = ["text", "flowRoot"];
+
 /// Elements that only hold others.
 const GROUPS: [&str; 4] = ["g", "a", "svg", "switch"];
 
@@ -125,7 +128,7 @@ impl<'a> Walk<'a> {
         if !draws && !GROUPS.contains(&tag) && tag != "use" {
             let why = if !here.is_seen() {
                 WhyUnused::Hidden
-            } else if tag == "text" {
+            } else if TEXT.contains(&tag) {
                 WhyUnused::Annotation
             } else {
                 WhyUnused::Type
