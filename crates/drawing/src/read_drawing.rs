@@ -15,7 +15,9 @@ pub fn read_drawing(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, Read
         "a DXF drawing" | "a damaged binary DXF file" => read_dxf(bytes, options),
         "an SVG drawing" | "an XML file" => read_svg(bytes, options),
         _ if is_utf16(bytes) => read_svg(bytes, options),
-        _ if bytes.trim_ascii().is_empty() => Err(ReadError::Empty),
+        _ if bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii().is_empty() => {
+            Err(ReadError::Empty)
+        }
         found => Err(ReadError::NotDrawing { found }),
     }
 }

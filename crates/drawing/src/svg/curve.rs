@@ -6,7 +6,7 @@ use super::outline::{Outline, Piece};
 use crate::curve::CurveBuilder;
 use crate::fit::{CubicBezier, EllipticArc, Smooth, fitted_edges};
 use crate::{Curve, ReadError};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use traverse_geometry::{COORDINATE_LIMIT_MM, Point, RADIUS_LIMIT_MM, cross};
 
 /// Half axes of a circle differ by this share of its radius at most: rounding.
@@ -124,20 +124,13 @@ fn is_circle(arc: &EllipticArc) -> bool {
 /// An arc of a circle as exact edges of half a turn at most.
 fn circle_edges(arc: &EllipticArc, end: Point) -> Edges {
     let sweep = arc.sweep * cross(arc.first, arc.second).signum();
-    let halves = ((sweep.abs() - 1e-9) / PI).ceil().max(1.0);
-    let bulge = (sweep / halves / 4.0).tan().clamp(-1.0, 1.0);
-    let start = arc.point(0.0);
-    let edges = (1..=halves as u32).map(|i| {
-        let share = f64::from(i) / halves;
-        let point = if share >= 1.0 {
-            end
-        } else if halves == 2.0 && bulge.abs() == 1.0 {
-            // Opposite to the last bit, so that both halves have one centre.
-            arc.center - (start - arc.center)
-        } else {
-            arc.point(share)
-        };
-        (bulge, point)
-    });
-    edges.collect()
+    if sweep.abs() >= TAU {
+        // Opposite to the last bit, so that both halves have one centre.
+        let opposite = arc.center - (arc.point(0.0) - arc.center);
+        return vec![(sweep.signum(), opposite), (sweep.signum(), end)];
+    }
+    let count = if sweep.abs() > PI + 1e-9 { 2 } else { 1 };
+    let bulge = (sweep / f64::from(count) / 4.0).tan().clamp(-1.0, 1.0);
+    let middle = (count == 2).then(|| (bulge, arc.point(0.5)));
+    middle.into_iter().chain([(bulge, end)]).collect()
 }

@@ -25,7 +25,9 @@ impl Page {
     /// Its size is `width` and `height`; where one is missing, or a percentage, it follows from the view box, whose
     /// unit is then the pixel.
     pub(super) fn of(root: &Element<'_>, pixels_per_inch: f64) -> Result<Self, ReadError> {
-        let mm_per_pixel = 25.4 / pixels_per_inch;
+        // Without a usable resolution pixels are no number of millimetres: what is in pixels is out of range.
+        let usable = pixels_per_inch.is_finite() && pixels_per_inch > 0.0;
+        let mm_per_pixel = if usable { 25.4 / pixels_per_inch } else { f64::NAN };
         let (width, width_unit) = size(root, "width", mm_per_pixel)?;
         let (height, height_unit) = size(root, "height", mm_per_pixel)?;
         let view = view_box(root)?;

@@ -68,32 +68,32 @@ impl<'a> StyleSheet<'a> {
         }
     }
 
-    /// The rules that fit an element, the weakest first.
-    pub(super) fn rules_for(&self, element: &Element<'_>) -> Vec<Rule<'a>> {
+    /// The rules that fit an element, the weakest first, and how many were looked at.
+    pub(super) fn rules_for(&self, element: &Element<'_>) -> (Vec<Rule<'a>>, usize) {
         if self.rules.is_empty() {
-            return Vec::new();
+            return (Vec::new(), 0);
         }
-        let classes = || element.attribute("class").unwrap_or_default().split_whitespace();
-        let keys = classes()
-            .map(|class| (Kind::Class, class))
+        let mut classes: Vec<_> = element.attribute("class").unwrap_or_default().split_whitespace().collect();
+        classes.sort_unstable();
+        classes.dedup();
+        let keys = classes
+            .iter()
+            .map(|&class| (Kind::Class, class))
             .chain(element.id().map(|id| (Kind::Id, id)))
             .chain([(Kind::Type, element.tag()), (Kind::Any, "*")]);
-        let mut found: Vec<usize> = keys
-            .filter_map(|(kind, name)| self.by_key.get(&(kind, name)))
-            .flatten()
-            .copied()
-            .filter(|&at| {
-                parts(self.rules[at].selector).unwrap_or_default().iter().all(|&(kind, name)| match kind {
-                    Kind::Any => true,
-                    Kind::Type => element.tag() == name,
-                    Kind::Class => classes().any(|class| class == name),
-                    Kind::Id => element.id() == Some(name),
-                })
+        let filed: Vec<_> =
+            keys.filter_map(|(kind, name)| self.by_key.get(&(kind, name))).flatten().collect();
+        let fits = |at: usize| {
+            parts(self.rules[at].selector).unwrap_or_default().iter().all(|&(kind, name)| match kind {
+                Kind::Any => true,
+                Kind::Type => element.tag() == name,
+                Kind::Class => classes.binary_search(&name).is_ok(),
+                Kind::Id => element.id() == Some(name),
             })
-            .collect();
+        };
+        let mut found: Vec<usize> = filed.iter().map(|&&at| at).filter(|&at| fits(at)).collect();
         found.sort_unstable_by_key(|&at| (self.rules[at].weight, at));
-        found.dedup();
-        found.into_iter().map(|at| self.rules[at]).collect()
+        (found.into_iter().map(|at| self.rules[at]).collect(), filed.len())
     }
 }
 
