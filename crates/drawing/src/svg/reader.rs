@@ -38,8 +38,16 @@ pub fn read_svg(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
     // Besides elements: text between them, comments, the document itself.
     let nodes_limit =
         u32::try_from(options.entity_limit.saturating_mul(4).saturating_add(64)).unwrap_or(u32::MAX);
-    let parsing = ParsingOptions { allow_dtd: true, nodes_limit, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(&text, parsing).map_err(|error| match error {
+    let parsing = || ParsingOptions { allow_dtd: true, nodes_limit, ..ParsingOptions::default() };
+    let parsed = Document::parse_with_options(&text, parsing());
+    let plain;
+    let parsed = if matches!(parsed, Err(roxmltree::Error::InvalidComment(_))) {
+        plain = with_blank_comments(&text);
+        Document::parse_with_options(&plain, parsing())
+    } else {
+        parsed
+    };
+    let document = parsed.map_err(|error| match error {
         roxmltree::Error::NodesLimitReached => ReadError::TooManyEntities { limit: options.entity_limit },
         error => ReadError::Malformed { line: error.pos().row as usize, message: error.to_string() },
     })?;
@@ -101,6 +109,23 @@ fn decoded_xml(bytes: &[u8]) -> Result<std::borrow::Cow<'_, str>, ReadError> {
     }
     let text = decoded(bytes)?;
     if starts(text.as_bytes()) { Ok(text) } else { not_svg }
+}
+
+/// The text with the contents of comments made blanks, lines kept. Two hyphens in a comment are against the rules of
+/// XML, but people write them, and programs read them.
+fn with_blank_comments(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, comment)) = rest.split_once("<!--") {
+        let Some((comment, after)) = comment.split_once("-->") else { break };
+        plain.push_str(before);
+        plain.push_str("<!--");
+        plain.extend(comment.chars().map(|c| if c == '\n' { '\n' } else { ' ' }));
+        plain.push_str("-->");
+        rest = after;
+    }
+    plain.push_str(rest);
+    plain
 }
 
 /// The text of all style sheets, without comments.
