@@ -1,8 +1,9 @@
 //! Drawings in, pictures of plans out.
 //!
-//! A file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used. Its layers are
-//! given [`Roles`]; [`scene_from_drawing`] joins the curves to loops, finds which lies in which and builds the
-//! [`Scene`](traverse_geometry::Scene) that a rapid move is planned in. [`picture_of_plan`] draws scene and plan.
+//! A DXF or SVG file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used.
+//! Its layers are given [`Roles`]; [`scene_from_drawing`] joins the curves to loops, finds which lies in which and
+//! builds the [`Scene`](traverse_geometry::Scene) that a rapid move is planned in. [`picture_of_plan`] draws scene
+//! and plan.
 //! No I/O but for the reader that is passed in, no clock, no panic on any input.
 //!
 //! ```
