@@ -1,6 +1,6 @@
 //! What was read from a file, whatever its format: layers of curves in millimetres.
 
-use crate::{Curve, LengthUnit, Unused};
+use crate::{Curve, LengthUnit, PageMapping, Unused};
 
 /// A drawing in millimetres, layer by layer, with what could not be used.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,10 +13,12 @@ pub struct Drawing {
     pub layers: Vec<Layer>,
     /// What could not be used, by layer, entity type and reason.
     pub unused: Vec<Unused>,
+    /// How the file's coordinates became millimetres, for formats that have a page: SVG.
+    pub mapping: Option<PageMapping>,
 }
 
 /// A layer and the curves on it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {
     /// As first written in the file. Names that differ in case only are one layer, as in CAD programs.
     pub name: String,

@@ -25,6 +25,18 @@ pub enum ReadError {
         /// What it looks like.
         found: &'static str,
     },
+    /// Not an SVG file.
+    #[error("this is not an SVG file but {found}; export the drawing as plain SVG, not compressed")]
+    NotSvg {
+        /// What it looks like.
+        found: &'static str,
+    },
+    /// Neither a DXF nor an SVG file.
+    #[error("this is neither a DXF nor an SVG file but {found}; export the drawing as DXF or plain SVG")]
+    NotDrawing {
+        /// What it looks like.
+        found: &'static str,
+    },
     /// The end of the file is missing.
     #[error("the file ends at line {line} without 0/EOF, so part of it is missing; export or copy it again")]
     Truncated {
@@ -66,6 +78,44 @@ pub enum ReadError {
     TooManyEntities {
         /// The limit.
         limit: usize,
+    },
+    /// An attribute of an SVG element that can't be read, or that puts something out of range.
+    #[error("line {line}: {attribute} of {element} is `{value}`: {problem}; repair the drawing")]
+    BadAttribute {
+        /// Line of the element, counted from 1.
+        line: usize,
+        /// The element with its id, such as `<rect id="clamp">`.
+        element: String,
+        /// Which attribute.
+        attribute: &'static str,
+        /// Its value, shortened.
+        value: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// Elements nested deeper than is read, uses of symbols included.
+    #[error("line {line}: elements are nested more than {limit} deep; ungroup some")]
+    TooDeep {
+        /// The limit.
+        limit: usize,
+        /// Line of the element that is too deep, counted from 1.
+        line: usize,
+    },
+    /// An SVG `use` element that is part of what it refers to.
+    #[error("line {line}: <use> of `{reference}` contains itself; break the circle")]
+    UseCycle {
+        /// Line of the element that closes the circle, counted from 1.
+        line: usize,
+        /// What it refers to.
+        reference: String,
+    },
+    /// More text than [`crate::ReadOptions::byte_limit`] once all that is used again and again is written out.
+    #[error(
+        "the drawing is longer than {limit} bytes once all its uses and entities are written out; simplify it"
+    )]
+    TooMuchRepeated {
+        /// The limit, bytes.
+        limit: u64,
     },
     /// The DXF library refuses the file.
     #[error("the file can't be read as DXF: {message}; export it again, as ASCII R2000 or later")]

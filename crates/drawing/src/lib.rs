@@ -1,8 +1,9 @@
 //! Drawings in, pictures of plans out.
 //!
-//! A file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used. Its curves are
-//! given [`Roles`]; [`scene_from_drawing`] joins the curves to loops, finds which lies in which and builds the
-//! [`Scene`](traverse_geometry::Scene) that a rapid move is planned in. [`picture_of_plan`] draws scene and plan.
+//! A DXF or SVG file becomes a [`Drawing`]: layers of curves in millimetres, and a list of what could not be used.
+//! Its curves are given [`Roles`]; [`scene_from_drawing`] joins the curves to loops, finds which lies in which and
+//! builds the [`Scene`](traverse_geometry::Scene) that a rapid move is planned in. [`picture_of_plan`] draws scene
+//! and plan.
 //! No I/O but for the reader that is passed in, no clock, no panic on any input.
 //!
 //! ```
@@ -30,6 +31,7 @@ mod dxf;
 mod dxf_out;
 mod error;
 mod finding;
+mod fit;
 mod forest;
 mod gcode;
 mod inspection;
@@ -37,17 +39,21 @@ mod joining;
 mod monotone;
 mod obstacles;
 mod options;
+mod page_mapping;
 mod part;
 mod pattern;
 mod picture;
 mod png;
 mod profile;
+mod read_drawing;
 mod role_loops;
 mod roles;
 mod scene_from_drawing;
 mod scene_report;
 mod selector;
+mod sniff;
 mod source;
+mod svg;
 mod unit;
 mod unused;
 mod work_area;
@@ -68,16 +74,19 @@ pub use gcode::{
 pub use inspection::{Inspection, LayerInspection, inspect_drawing};
 pub use joining::{JOIN_TOLERANCE_MM, Joined, Loop, join_loops};
 pub use options::ReadOptions;
+pub use page_mapping::PageMapping;
 pub use part::{Part, Section};
 pub use picture::{MARKED_FINDINGS, Shown, picture_of_drawing, picture_of_plan};
 pub use png::{
     LARGEST_PNG_PIXELS, LARGEST_PNG_WIDTH_PX, LARGEST_SVG_BYTES, PngError, SMALLEST_PNG_WIDTH_PX, png_of_svg,
 };
 pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles};
+pub use read_drawing::{read_drawing, read_drawing_from};
 pub use roles::{ObstacleRole, Role, Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};
 pub use scene_report::{LayerUse, SceneError, SceneFromDrawing, SceneReport};
 pub use selector::Selector;
 pub use source::Source;
+pub use svg::{read_svg, read_svg_from};
 pub use unit::LengthUnit;
 pub use unused::{Unused, WhyUnused};

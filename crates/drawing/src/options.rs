@@ -16,6 +16,9 @@ pub struct ReadOptions {
     pub fit_tolerance_mm: f64,
     /// The unit of a file that does not name one. Default: millimetres.
     pub default_unit: LengthUnit,
+    /// Pixels in an inch: sizes of SVG files that give none in millimetres, inches or the like. Default: 96, as CSS
+    /// says; older Inkscape took 90, Illustrator 72.
+    pub pixels_per_inch: f64,
 }
 
 impl Default for ReadOptions {
@@ -26,6 +29,7 @@ impl Default for ReadOptions {
             vertex_limit: 2_000_000,
             fit_tolerance_mm: 0.001,
             default_unit: LengthUnit::MILLIMETRES,
+            pixels_per_inch: 96.0,
         }
     }
 }

@@ -27,8 +27,16 @@ pub enum WhyUnused {
     PaperSpace,
     /// It has no length.
     NoLength,
-    /// Text, a dimension or the like: nothing that a machine could meet.
+    /// Text, a dimension or the like: nothing that a machine could meet. Text is not converted to outlines.
     Annotation,
+    /// Not visible: `display: none` or `visibility: hidden`.
+    Hidden,
+    /// Clipped or masked in the picture; here it was read whole.
+    Clipped,
+    /// What it refers to is not in the file.
+    Reference,
+    /// A style rule whose selector is not read: colours may differ, and hidden elements be read.
+    Selector,
 }
 
 impl fmt::Display for WhyUnused {
@@ -39,6 +47,10 @@ impl fmt::Display for WhyUnused {
             Self::PaperSpace => "in paper space",
             Self::NoLength => "without length",
             Self::Annotation => "annotation",
+            Self::Hidden => "not visible",
+            Self::Clipped => "clipped in the picture, read whole",
+            Self::Reference => "refers to what is not in the file",
+            Self::Selector => "style rules with such selectors are not read",
         })
     }
 }
@@ -53,6 +65,6 @@ impl WhyUnused {
     /// Whether a machine could meet what was not used.
     #[must_use]
     pub fn loses_something(self) -> bool {
-        matches!(self, Self::Type | Self::Extrusion)
+        matches!(self, Self::Type | Self::Extrusion | Self::Reference)
     }
 }

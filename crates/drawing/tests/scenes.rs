@@ -24,7 +24,13 @@ fn scene(layers: &[(&str, &[Curve])], roles: Roles) -> Result<SceneFromDrawing, 
         .iter()
         .map(|&(name, curves)| Layer { name: name.to_owned(), curves: curves.to_vec() })
         .collect();
-    let drawing = Drawing { unit: LengthUnit::MILLIMETRES, unit_assumed: false, layers, unused: Vec::new() };
+    let drawing = Drawing {
+        unit: LengthUnit::MILLIMETRES,
+        unit_assumed: false,
+        layers,
+        unused: Vec::new(),
+        mapping: None,
+    };
     scene_from_drawing(&drawing, &SceneOptions { roles, ..SceneOptions::new(1.0) })
 }
 

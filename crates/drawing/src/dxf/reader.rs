@@ -63,7 +63,7 @@ pub fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
         .into_iter()
         .map(|((layer, entity, why), count)| Unused { layer, entity, why, count })
         .collect();
-    Ok(Drawing { unit, unit_assumed: stated.is_none(), layers: layers.list, unused })
+    Ok(Drawing { unit, unit_assumed: stated.is_none(), layers: layers.list, unused, mapping: None })
 }
 
 /// Reads a DXF file from a reader, up to the byte limit. See [`read_dxf`].

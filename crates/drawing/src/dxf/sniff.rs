@@ -1,6 +1,7 @@
 //! Which kind of file this is, by its first bytes.
 
 use crate::ReadError;
+use crate::sniff::{begins_with_group_code, looks_like};
 
 /// How a DXF file spells its groups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,32 +26,8 @@ pub(super) fn sniff(bytes: &[u8]) -> Result<Spelling, ReadError> {
     if text.is_empty() {
         return Err(ReadError::Empty);
     }
-    let first_line = text.split(|&b| b == b'\n').next().unwrap_or_default().trim_ascii();
-    if std::str::from_utf8(first_line).is_ok_and(|line| line.parse::<u16>().is_ok()) {
+    if begins_with_group_code(text) {
         return Ok(Spelling::Ascii);
     }
-    let start = text[..text.len().min(512)].to_ascii_lowercase();
-    let holds = |mark: &[u8]| start.windows(mark.len()).any(|window| window == mark);
-    let found = if start.starts_with(b"<!doctype html") || holds(b"<html") {
-        "a web page (HTML)"
-    } else if holds(b"<svg") {
-        "an SVG drawing"
-    } else if start.starts_with(b"<") {
-        "an XML file"
-    } else if start.starts_with(b"ac10") {
-        "a DWG drawing"
-    } else if start.starts_with(b"autocad binary dxf") {
-        "a damaged binary DXF file"
-    } else if start.starts_with(b"autocad dxb") {
-        "a DXB drawing"
-    } else if start.starts_with(b"%pdf") {
-        "a PDF file"
-    } else if start.starts_with(b"pk\x03\x04") || start.starts_with(b"\x1f\x8b") {
-        "a compressed archive"
-    } else if start.iter().any(|&b| b == 0 || b >= 0xf8) {
-        "binary data"
-    } else {
-        "some other text"
-    };
-    Err(ReadError::NotDxf { found })
+    Err(ReadError::NotDxf { found: looks_like(bytes) })
 }
