@@ -1,6 +1,6 @@
 //! All barriers of a scene.
 
-use crate::barrier::{Blocker, Clearance, Feature, Obstruction, Outline};
+use crate::barrier::{Clearance, Obstruction, Outline};
 use std::borrow::Cow;
 use traverse_geometry::{Polygon, Ring, Scene, WORK_AREA_ID};
 use traverse_solve::{Budget, Interrupt};
@@ -58,18 +58,6 @@ impl<'a> Barriers<'a> {
     pub(crate) fn outlines(&self, owner: usize) -> impl Iterator<Item = Outline<'_>> {
         let clearance = self.clearance(owner);
         self.rings[owner].iter().map(move |ring| Outline { ring, clearance, owner })
-    }
-
-    /// Blockers and features of some owners.
-    pub(crate) fn parts(&self, owners: impl IntoIterator<Item = usize>) -> (Vec<Blocker>, Vec<Feature>) {
-        let (mut blockers, mut features) = (Vec::new(), Vec::new());
-        for owner in owners {
-            for outline in self.outlines(owner) {
-                outline.add_blockers(&mut blockers);
-                outline.add_features(&mut features);
-            }
-        }
-        (blockers, features)
     }
 }
 

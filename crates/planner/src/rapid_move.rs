@@ -1,21 +1,16 @@
-//! The shortest rapid move, exactly: look only at what blocks the line.
+//! The shortest rapid move, exactly: from a scene and two ends to a plan, or the proof that there is none.
 //!
-//! Start with no barrier at all; find the shortest path among the active barriers; test it against the whole scene;
-//! activate what it hits; repeat until it hits nothing. Every round is a relaxation of the scene, so its cost bounds
-//! the optimum from below, and the first path that hits nothing is optimal. Exact because blocked means the same in
-//! both tests. The idea is the published scan's (2008), made exact.
-//!
-//! Cost: a few rounds over a few barriers; building the obstruction of the whole scene is n log n.
+//! Cost: a search among the barriers that it meets; building the obstruction of the whole scene is n log n.
 
 use crate::barriers::Barriers;
-use crate::search::{End, Relaxation, Route, shortest};
+use crate::search::{End, Known, Route, Search};
 use crate::separating::separating;
 use crate::standing::stand;
 use crate::supporting_lines::Scan;
 use crate::trace::trace;
 use crate::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
-use traverse_geometry::{Edge, Path, Scene, Segment};
+use traverse_geometry::{Path, Scene};
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// Plans one rapid move in a valid scene.
@@ -88,7 +83,7 @@ fn both(
     }
 }
 
-/// What the rounds came to.
+/// What the search came to.
 enum Solved {
     /// A path, and what bends it.
     Path(Path, Vec<String>),
@@ -114,54 +109,21 @@ impl Solver<'_> {
                 return Ok(Solved::Parted(self.named(end.shut_in_by.iter().copied())));
             }
         }
-        let mut relaxation = Relaxation::default();
-        let mut active: BTreeSet<usize> = BTreeSet::new();
-        loop {
-            let found = shortest(&relaxation, start, target, self.budget, &mut self.stats.expanded_nodes)?;
-            self.stats.barrier_vertices = relaxation.features.len() as u64;
-            let Some(route) = found else {
-                let parting = separating(self.barriers, active, start, target, self.budget, &mut self.stats)?;
-                return Ok(Solved::Parted(self.named(parting)));
-            };
-            if route.cost > self.lower_bound {
-                self.lower_bound = route.cost;
-                self.observer.better_bound(route.cost);
-            }
-            let hit = self.hits(&route, &relaxation)?;
-            if hit.is_empty() {
-                self.observer.better_cost(route.cost);
-                let path = trace(&route, &relaxation.features, start.point, target.point);
-                return Ok(Solved::Path(path, self.bending(&route, &relaxation)));
-            }
-            assert!(hit.is_disjoint(&active), "invariant: a path hit a barrier that it was planned round");
-            let (blockers, features) = self.barriers.parts(hit.iter().copied());
-            relaxation.add(&blockers, &features, self.budget)?;
-            active.extend(hit);
+        let mut search = Search::new(Known::new(self.barriers, &BTreeSet::new()), start, target);
+        let found = search.run(self.budget, &mut self.stats.expanded_nodes, self.observer);
+        if search.lower_bound > self.lower_bound {
+            self.lower_bound = search.lower_bound;
+            self.observer.better_bound(self.lower_bound);
         }
-    }
-
-    /// Owners of the barriers of the whole scene that the planned path runs into.
-    fn hits(&self, route: &Route, relaxation: &Relaxation) -> Result<BTreeSet<usize>, Interrupt> {
-        let mut hit = BTreeSet::new();
-        // Where nothing is moved nothing is hit: the search does not test that either.
-        for &(from, to) in route.straights.iter().filter(|(from, to)| from != to) {
-            self.budget.check(0)?;
-            let piece = Edge::Segment(Segment::new(from, to));
-            hit.extend(self.barriers.whole.blocking(&piece).map(|blocker| blocker.owner));
-        }
-        for stop in &route.stops {
-            self.budget.check(0)?;
-            let feature = &relaxation.features[stop.feature];
-            if feature.plan_radius == 0.0 {
-                continue;
-            }
-            // The free stretches of the search close within this tolerance at both ends.
-            let margin = 2.0 * feature.offset_tolerance();
-            let (low, high) = (stop.from.min(stop.to) + margin, stop.from.max(stop.to) - margin);
-            let blocked = self.barriers.whole.blocked_offsets(feature);
-            hit.extend(blocked.filter(|&(from, to, _)| from < high && low < to).map(|(_, _, owner)| owner));
-        }
-        Ok(hit)
+        self.stats.barrier_vertices = search.known.features.len() as u64;
+        let Some(route) = found? else {
+            let parting = search.known.met().collect();
+            let parting = separating(self.barriers, parting, start, target, self.budget, &mut self.stats)?;
+            return Ok(Solved::Parted(self.named(parting)));
+        };
+        self.observer.better_cost(route.cost);
+        let path = trace(&route, &search.known.features, start.point, target.point);
+        Ok(Solved::Path(path, self.bending(&route, &search.known)))
     }
 
     /// Ids of obstacles; the work area's border is taken for granted.
@@ -170,9 +132,9 @@ impl Solver<'_> {
         owners.into_iter().filter(is_obstacle).map(|owner| self.id(owner)).collect()
     }
 
-    fn bending(&self, route: &Route, relaxation: &Relaxation) -> Vec<String> {
+    fn bending(&self, route: &Route, known: &Known<'_>) -> Vec<String> {
         let mut ids: Vec<String> =
-            route.stops.iter().map(|stop| self.id(relaxation.features[stop.feature].owner)).collect();
+            route.stops.iter().map(|stop| self.id(known.features[stop.feature].owner)).collect();
         ids.dedup();
         ids
     }

@@ -2,9 +2,9 @@
 
 use crate::Stats;
 use crate::barriers::Barriers;
-use crate::search::{End, Relaxation, shortest};
+use crate::search::{End, Known, Search};
 use std::collections::BTreeSet;
-use traverse_solve::{Budget, Interrupt};
+use traverse_solve::{Budget, Interrupt, Silent};
 
 /// Leaves out of `parting`, which parts start from target, every owner without which the others still do; the
 /// work area's border is left out of the answer. What remains is in the order of the scene, and none of it can be
@@ -20,16 +20,15 @@ pub(crate) fn separating(
     budget: &Budget,
     stats: &mut Stats,
 ) -> Result<Vec<usize>, Interrupt> {
-    let mut needed = parting.clone();
     let obstacles = barriers.scene.obstacles.len();
-    for owner in parting.into_iter().filter(|&owner| owner < obstacles) {
-        needed.remove(&owner);
-        let (blockers, features) = barriers.parts(needed.iter().copied());
-        let mut relaxation = Relaxation::default();
-        relaxation.add(&blockers, &features, budget)?;
-        if shortest(&relaxation, start, target, budget, &mut stats.expanded_nodes)?.is_some() {
-            needed.insert(owner);
+    let mut left_out: BTreeSet<usize> =
+        (0..barriers.owner_count()).filter(|owner| !parting.contains(owner)).collect();
+    for &owner in parting.iter().filter(|&&owner| owner < obstacles) {
+        left_out.insert(owner);
+        let mut search = Search::new(Known::new(barriers, &left_out), start, target);
+        if search.run(budget, &mut stats.expanded_nodes, &mut Silent)?.is_some() {
+            left_out.remove(&owner);
         }
     }
-    Ok(needed.into_iter().filter(|&owner| owner < obstacles).collect())
+    Ok(parting.into_iter().filter(|owner| *owner < obstacles && !left_out.contains(owner)).collect())
 }

@@ -7,9 +7,9 @@ use traverse_geometry::{Vector, cross};
 
 /// A label at a feature, about to leave it.
 #[derive(Clone, Copy)]
-pub(super) struct Departure<'a> {
+pub(super) struct Departure {
     pub(super) lane: Lane,
-    pub(super) circle: &'a Feature,
+    pub(super) circle: Feature,
     /// The free stretch of the circle that the label is on.
     pub(super) free: (f64, f64),
     /// Offset of arrival.
@@ -20,7 +20,7 @@ pub(super) struct Departure<'a> {
     pub(super) cost: f64,
 }
 
-impl Departure<'_> {
+impl Departure {
     /// Signed radii of the circle as tangents take them: planned and priced.
     pub(super) fn rho(&self) -> (f64, f64) {
         let sign = self.lane.side.sign();

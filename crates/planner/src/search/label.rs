@@ -1,6 +1,5 @@
 //! Labels: ways of touching a feature, and the route that they add up to.
 
-use super::settled::Lane;
 use crate::barrier::Side;
 use traverse_geometry::{Point, Vector};
 
@@ -9,8 +8,8 @@ use traverse_geometry::{Point, Vector};
 pub(crate) enum Place {
     /// At the start, or one of the places that stand for it.
     Start,
-    /// At a feature, having arrived at `offset`.
-    Feature { lane: Lane, offset: f64 },
+    /// At a feature, having arrived at `offset`, with its circle on that side.
+    Feature { feature: usize, side: Side, offset: f64 },
     /// At the target, or one of the places that stand for it.
     Target,
 }
@@ -48,9 +47,6 @@ pub(crate) struct Label {
 pub(crate) struct Stop {
     pub(crate) feature: usize,
     pub(crate) side: Side,
-    /// Offsets on the planned path.
-    pub(crate) from: f64,
-    pub(crate) to: f64,
     /// Outward directions on the answered path at arrival and departure, and the angle turned between.
     pub(crate) spoke_in: Vector,
     pub(crate) spoke_out: Vector,
@@ -64,6 +60,4 @@ pub(crate) struct Route {
     pub(crate) cost: f64,
     /// Features that it bends round, in order.
     pub(crate) stops: Vec<Stop>,
-    /// Straight moves of the planned path.
-    pub(crate) straights: Vec<(Point, Point)>,
 }

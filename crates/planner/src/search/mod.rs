@@ -7,14 +7,17 @@
 
 mod departure;
 mod end;
+mod known;
 mod label;
-mod relaxation;
+mod route;
 mod settled;
 mod shortest;
+mod successors;
 mod tangent;
 
 pub(crate) use end::End;
+pub(crate) use known::Known;
+use known::Way;
 pub(crate) use label::Route;
-pub(crate) use relaxation::Relaxation;
-pub(crate) use shortest::shortest;
+pub(crate) use shortest::Search;
 pub(crate) use tangent::Tangent;

@@ -1,0 +1,187 @@
+//! The barriers that a search has met so far. Those that it has not met bend no path; they block all the same.
+
+use crate::barrier::Feature;
+use crate::barriers::Barriers;
+use std::cell::OnceCell;
+use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Point, Segment};
+use traverse_solve::{Budget, Interrupt};
+
+/// A scene's barriers, or some of them, and which of these were met.
+pub(crate) struct Known<'a> {
+    barriers: &'a Barriers<'a>,
+    /// Per owner whether it is there at all.
+    there: Vec<bool>,
+    /// Per owner whether it was met.
+    met: Vec<bool>,
+    /// Features of what was met.
+    pub(crate) features: Vec<Feature>,
+    /// Per feature the stretches of its range that nothing blocks, worked out when first asked for.
+    free: Vec<OnceCell<Stretches>>,
+    /// Features by the millimetre square that their centre lies in or next to.
+    centers: HashMap<[i64; 2], Vec<usize>>,
+}
+
+/// The stretches of a feature's range that no barrier blocks, in order, and whose barriers block the rest.
+pub(crate) struct Stretches {
+    pub(crate) free: Vec<(f64, f64)>,
+    pub(crate) blocked_by: Vec<usize>,
+}
+
+/// What lies in the way of a straight move.
+pub(crate) enum Way {
+    /// Nothing.
+    Free,
+    /// A barrier that was met.
+    Blocked,
+    /// None that was met; nearest to its beginning the barrier of this owner.
+    Meets(usize),
+}
+
+impl<'a> Known<'a> {
+    /// Nothing met yet. `left_out` is taken for not there.
+    pub(crate) fn new(barriers: &'a Barriers<'a>, left_out: &BTreeSet<usize>) -> Self {
+        let owners = barriers.owner_count();
+        Self {
+            barriers,
+            there: (0..owners).map(|owner| !left_out.contains(&owner)).collect(),
+            met: vec![false; owners],
+            features: Vec::new(),
+            free: Vec::new(),
+            centers: HashMap::new(),
+        }
+    }
+
+    /// Owners of the barriers that were met.
+    pub(crate) fn met(&self) -> impl Iterator<Item = usize> {
+        self.met.iter().enumerate().filter(|&(_, met)| *met).map(|(owner, _)| owner)
+    }
+
+    pub(crate) fn was_met(&self, owner: usize) -> bool {
+        self.met[owner]
+    }
+
+    /// Meets the owner's barrier; answers its features.
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(crate) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<Range<usize>, Interrupt> {
+        let first = self.features.len();
+        self.met[owner] = true;
+        for outline in self.barriers.outlines(owner) {
+            budget.check(0)?;
+            outline.add_features(&mut self.features);
+        }
+        for feature in first..self.features.len() {
+            for square in squares(self.features[feature].center) {
+                self.centers.entry(square).or_default().push(feature);
+            }
+        }
+        self.free.resize_with(self.features.len(), OnceCell::new);
+        Ok(first..self.features.len())
+    }
+
+    /// What lies in the way from `from` to `to`.
+    pub(crate) fn way(&self, from: Point, to: Point) -> Way {
+        if from == to {
+            return Way::Free;
+        }
+        let piece = Edge::Segment(Segment::new(from, to));
+        let mut nearest: Option<(f64, usize)> = None;
+        for blocker in self.barriers.whole.blocking(&piece).filter(|blocker| self.there[blocker.owner]) {
+            if self.met[blocker.owner] {
+                return Way::Blocked;
+            }
+            let found = (blocker.edge.distance_to_point(from), blocker.owner);
+            if nearest.is_none_or(|known| found < known) {
+                nearest = Some(found);
+            }
+        }
+        nearest.map_or(Way::Free, |(_, owner)| Way::Meets(owner))
+    }
+
+    /// The feature's stretches that no barrier blocks, met or not.
+    pub(crate) fn stretches(&self, feature: usize) -> &Stretches {
+        self.free[feature].get_or_init(|| {
+            let feature = &self.features[feature];
+            // A control point is no arc: whether it can be passed is decided by the moves that meet there.
+            if feature.plan_radius == 0.0 {
+                return Stretches { free: vec![(0.0, feature.sweep)], blocked_by: Vec::new() };
+            }
+            let blocked = self.barriers.whole.blocked_offsets(feature);
+            free_of(feature, blocked.filter(|&(_, _, owner)| self.there[owner]).collect())
+        })
+    }
+
+    /// Whether the feature's stretches have been worked out.
+    pub(crate) fn knows_stretches(&self, feature: usize) -> bool {
+        self.free[feature].get().is_some()
+    }
+
+    /// The free stretch of the feature that holds `offset`, if any.
+    pub(crate) fn stretch_at(&self, feature: usize, offset: f64) -> Option<usize> {
+        let tolerance = self.features[feature].offset_tolerance();
+        self.stretches(feature)
+            .free
+            .iter()
+            .position(|&(from, to)| from - tolerance <= offset && offset <= to + tolerance)
+    }
+
+    /// Other features on the same circle.
+    pub(crate) fn on_same_circle(&self, feature: usize) -> impl Iterator<Item = usize> {
+        let [x, y] = square_of(self.features[feature].center);
+        let near = self.centers.get(&[x, y]).into_iter().flatten().copied();
+        near.filter(move |&other| other != feature && self.is_same_circle(feature, other))
+    }
+
+    fn is_same_circle(&self, one: usize, other: usize) -> bool {
+        let (a, b) = (&self.features[one], &self.features[other]);
+        a.plan_radius > 0.0
+            && (a.plan_radius - b.plan_radius).abs() < CONTACT_TOLERANCE_MM / 2.0
+            && (a.center - b.center).norm() < CONTACT_TOLERANCE_MM / 2.0
+    }
+
+    /// Whether a path passes from one feature to the other without a straight move.
+    pub(crate) fn goes_over(&self, one: usize, other: usize) -> bool {
+        let feature = &self.features[one];
+        feature.after == Some(other) || feature.before == Some(other) || self.is_same_circle(one, other)
+    }
+}
+
+/// What `blocked` leaves of the feature's range.
+fn free_of(feature: &Feature, mut blocked: Vec<(f64, f64, usize)>) -> Stretches {
+    let mut blocked_by: Vec<usize> = blocked.iter().map(|&(_, _, owner)| owner).collect();
+    blocked_by.sort_unstable();
+    blocked_by.dedup();
+    blocked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut free = Vec::new();
+    let mut free_from = 0.0_f64;
+    for (from, to, _) in blocked {
+        if from >= free_from && (from > 0.0 || free_from > 0.0) {
+            free.push((free_from, from));
+        }
+        free_from = free_from.max(to);
+    }
+    if free_from < feature.sweep || (free_from == 0.0 && feature.sweep == 0.0) {
+        free.push((free_from, feature.sweep));
+    }
+    Stretches { free, blocked_by }
+}
+
+/// The millimetre square of a point.
+fn square_of(p: Point) -> [i64; 2] {
+    [p.x.floor() as i64, p.y.floor() as i64]
+}
+
+/// Squares in which a centre within half a contact tolerance of `center` may lie.
+fn squares(center: Point) -> Vec<[i64; 2]> {
+    let by = CONTACT_TOLERANCE_MM;
+    let mut squares: Vec<[i64; 2]> = [(-by, -by), (by, -by), (-by, by), (by, by)]
+        .into_iter()
+        .map(|(x, y)| square_of(Point::new(center.x + x, center.y + y)))
+        .collect();
+    squares.sort_unstable();
+    squares.dedup();
+    squares
+}
