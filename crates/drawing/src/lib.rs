@@ -30,6 +30,8 @@ mod dxf;
 mod dxf_out;
 mod error;
 mod finding;
+#[allow(dead_code, unused_imports, reason = "its users come with the readers")]
+mod fit;
 mod forest;
 mod gcode;
 mod joining;

@@ -25,6 +25,9 @@ pub(super) fn sniff(bytes: &[u8]) -> Result<Spelling, ReadError> {
     if text.is_empty() {
         return Err(ReadError::Empty);
     }
+    if is_utf_16(bytes) {
+        return Err(ReadError::NotDxf { found: "text in UTF-16, which DXF never is" });
+    }
     let first_line = text.split(|&b| b == b'\n').next().unwrap_or_default().trim_ascii();
     if std::str::from_utf8(first_line).is_ok_and(|line| line.parse::<u16>().is_ok()) {
         return Ok(Spelling::Ascii);
@@ -53,4 +56,15 @@ pub(super) fn sniff(bytes: &[u8]) -> Result<Spelling, ReadError> {
         "some other text"
     };
     Err(ReadError::NotDxf { found })
+}
+
+/// By its mark, or by every second byte of its first letters being zero.
+fn is_utf_16(bytes: &[u8]) -> bool {
+    let letter = |b: u8| b.is_ascii_graphic() || b.is_ascii_whitespace();
+    match bytes {
+        [0xff, 0xfe, _, second, ..] => *second < 0x20,
+        [0xfe, 0xff, first, ..] => *first < 0x20,
+        [a, 0, b, 0, c, 0, ..] | [0, a, 0, b, 0, c, ..] => letter(*a) && letter(*b) && letter(*c),
+        _ => false,
+    }
 }
