@@ -42,7 +42,7 @@ pub(super) fn color_of_index(index: i64) -> Option<Color> {
 fn part(steps_away: usize, shade: usize) -> u8 {
     // In quarters: full within 60°, none beyond 120°.
     let pure = 8_u32.saturating_sub(steps_away as u32).min(4);
-    let strength = if shade % 2 == 0 { pure * 2 } else { 4 + pure };
+    let strength = if shade.is_multiple_of(2) { pure * 2 } else { 4 + pure };
     (255 * BRIGHTNESS[shade / 2] * strength / 800) as u8
 }
 

@@ -14,7 +14,7 @@ pub(super) const MODEL: BlockId = BlockId(0);
 /// Entities that are drawn together.
 #[derive(Debug)]
 pub(super) struct Block {
-    /// As first written.
+    /// As its definition writes it.
     pub(super) name: String,
     /// The point that an INSERT places.
     pub(super) base: Point,

@@ -168,6 +168,7 @@ impl<'a> Reader<'a> {
             // As CAD programs do, the first definition counts.
             return Ok(Place::Nowhere);
         }
+        block.name = name;
         block.base = base;
         block.known = flags & EXTERNAL == 0;
         Ok(Place::In(id))

@@ -22,7 +22,7 @@ pub(super) fn curve_through(points: &[Point], tangents: [Vector; 2], closed: boo
         return None;
     }
     let chords: Vec<Vector> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let lengths: Vec<f64> = chords.iter().map(|chord| chord.norm()).collect();
+    let lengths: Vec<f64> = chords.iter().map(Vector::norm).collect();
     let speeds = if cyclic && chords.len() > 1 {
         cyclic_speeds(&chords, &lengths)
     } else {
