@@ -13,7 +13,7 @@ const DIRECTORY: &str = "TRAVERSE_EZDXF_DIR";
 fn bounds(curve: &Curve) -> [f64; 4] {
     let mut edges = curve.edges().map(|edge| edge.bounds());
     let first = edges.next().unwrap();
-    let all = edges.fold(first, |bounds, edge| bounds.union(edge));
+    let all = edges.fold(first, traverse_geometry::Bounds::union);
     [all.min.x, all.min.y, all.max.x, all.max.y]
 }
 
