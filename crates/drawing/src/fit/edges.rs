@@ -1,7 +1,7 @@
 //! A smooth curve as a chain of arcs and segments.
 
 use super::biarc::{arriving_bulge, departing_bulge, joint};
-use super::follows::distance_if_it_follows;
+use super::follows::follows;
 use super::smooth::{Smooth, end_directions};
 use traverse_geometry::{Edge, FLAT_ARC_MM, Point, RADIUS_LIMIT_MM};
 
@@ -70,7 +70,7 @@ fn fitted_piece(
     let keeps_within = |edge: BulgeAndEnd, share: (f64, f64), tolerance: f64| {
         let (bulge, edge_end) = edge;
         let edge = Edge::from_bulge(curve.point(share.0), edge_end, bulge);
-        distance_if_it_follows(curve, share, &edge).is_some_and(|distance| distance <= tolerance)
+        follows(curve, share, &edge, tolerance)
     };
     let exact = SINGLE_EDGE_SHARE * tolerance_mm;
     if keeps_within((0.0, end), (from, to), exact) {

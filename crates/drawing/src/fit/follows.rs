@@ -15,20 +15,19 @@ const SAMPLES: usize = 9;
 /// The curve may lean this far from the edge's direction: the cosine of 60°.
 const LEAST_COSINE: f64 = 0.5;
 
-/// An upper bound of the distance between the piece and the edge over the same ends, millimetres; none when the piece
-/// does not run along the edge.
-pub(super) fn distance_if_it_follows(curve: &dyn Smooth, (from, to): (f64, f64), edge: &Edge) -> Option<f64> {
+/// Whether the piece and the edge over the same ends run within `tolerance_mm` of each other, forward all the way.
+pub(super) fn follows(curve: &dyn Smooth, (from, to): (f64, f64), edge: &Edge, tolerance_mm: f64) -> bool {
     let mut largest: f64 = 0.0;
     let mut largest_bend: f64 = 0.0;
     let mut last_two = [0.0, 0.0];
     for i in 1..=SAMPLES {
         let t = from + (to - from) * i as f64 / (SAMPLES + 1) as f64;
         let point = curve.point(t);
-        let (distance, direction) = beside(edge, point)?;
+        let Some((distance, direction)) = beside(edge, point) else { return false };
         let derivative = curve.derivative(t);
-        let follows = derivative.dot(&direction) > LEAST_COSINE * derivative.norm();
-        if !follows {
-            return None;
+        let forward = derivative.dot(&direction) > LEAST_COSINE * derivative.norm();
+        if !forward || distance.abs() > tolerance_mm {
+            return false;
         }
         largest = largest.max(distance.abs());
         if i > 1 {
@@ -38,7 +37,7 @@ pub(super) fn distance_if_it_follows(curve: &dyn Smooth, (from, to): (f64, f64),
     }
     // At both ends the distance is 0.
     largest_bend = largest_bend.max((last_two[0] - 2.0 * last_two[1]).abs());
-    Some(largest + largest_bend / 4.0)
+    largest + largest_bend / 4.0 <= tolerance_mm
 }
 
 /// The signed distance of a point from the line or circle of an edge, and the unit direction of travel at its foot;
