@@ -24,6 +24,8 @@ pub(crate) enum Command {
     Serve(Serve),
     /// Plans the shortest rapid move through a drawing.
     Rapid(Rapid),
+    /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
+    Inspect(Inspect),
     /// Checks a plan against its request, by code that shares nothing with the planner.
     Check(Check),
     /// Calls any method with proto3 JSON, in process or on a server.
@@ -53,10 +55,62 @@ pub(crate) enum LogStyle {
     Json,
 }
 
+/// A drawing, and how it is read.
+#[derive(Args, Debug)]
+pub(crate) struct DrawingFile {
+    /// DXF or SVG file: closed outlines; the layer WORK_AREA, WORKAREA or TABLE bounds the work area.
+    pub(crate) drawing: PathBuf,
+    /// What bounds the work area: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Repeat for more.
+    #[arg(long, value_name = "SELECTOR")]
+    pub(crate) work_area: Vec<String>,
+    /// What is an obstacle: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Repeat for more.
+    /// Default: everything else.
+    #[arg(long, value_name = "SELECTOR")]
+    pub(crate) obstacles: Vec<String>,
+    /// Ends of lines that are no farther apart are joined, millimetres.
+    #[arg(long, value_name = "MM", default_value_t = traverse_drawing::JOIN_TOLERANCE_MM)]
+    pub(crate) join: f64,
+    /// Unit of a DXF file that names none.
+    #[arg(long, value_enum, default_value_t = Unit::Mm)]
+    pub(crate) unit: Unit,
+    /// Pixels per inch of an SVG file whose page has no size in millimetres or inches.
+    #[arg(long, value_name = "COUNT", default_value_t = 96.0)]
+    pub(crate) dpi: f64,
+    /// How far arcs may run from an ellipse or a spline that they stand for, millimetres.
+    #[arg(long, value_name = "MM", default_value_t = 0.001)]
+    pub(crate) fit: f64,
+    /// TOML file of machine profiles: roles, clearances, G-code. What is said here on the command line goes first.
+    #[arg(long, value_name = "FILE", requires = "machine")]
+    pub(crate) machines: Option<PathBuf>,
+    /// Name of the machine in the file of profiles.
+    #[arg(long, value_name = "NAME", requires = "machines")]
+    pub(crate) machine: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Unit {
+    /// Millimetres.
+    Mm,
+    /// Inches.
+    Inch,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Inspect {
+    #[command(flatten)]
+    pub(crate) file: DrawingFile,
+    /// Writes a picture of the drawing that marks what is wrong: .svg or .png. Repeat for more.
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+    /// Width of .png pictures, pixels.
+    #[arg(long, value_name = "PX", default_value_t = 1600)]
+    pub(crate) width: u32,
+}
+
 #[derive(Args, Debug)]
 pub(crate) struct Rapid {
-    /// DXF file: closed outlines on layers; WORK_AREA, WORKAREA or TABLE bounds the work area.
-    pub(crate) drawing: PathBuf,
+    #[command(flatten)]
+    pub(crate) file: DrawingFile,
     /// Where the tool's centre is, millimetres.
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     pub(crate) from: Point,
@@ -75,32 +129,19 @@ pub(crate) struct Rapid {
     /// By which method.
     #[arg(long, value_enum, default_value_t = Method::Exact)]
     pub(crate) algorithm: Method,
-    /// What bounds the work area: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Repeat for more.
-    #[arg(long, value_name = "SELECTOR")]
-    pub(crate) work_area: Vec<String>,
-    /// What is an obstacle: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Repeat for more.
-    /// Default: everything else.
-    #[arg(long, value_name = "SELECTOR")]
-    pub(crate) obstacles: Vec<String>,
-    /// Ends of lines that are no farther apart are joined, millimetres.
-    #[arg(long, value_name = "MM", default_value_t = traverse_drawing::JOIN_TOLERANCE_MM)]
-    pub(crate) join: f64,
     /// Stop after this long, seconds. Default: the server's.
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) time_limit: Option<Duration>,
-    /// TOML file of machine profiles: layers, clearances, G-code. What is said here on the command line goes first.
-    #[arg(long, value_name = "FILE", requires = "machine")]
-    pub(crate) machines: Option<PathBuf>,
-    /// Name of the machine in the file of profiles.
-    #[arg(long, value_name = "NAME", requires = "machines")]
-    pub(crate) machine: Option<String>,
     /// Plan although parts of the drawing could not be used: the path may run through them.
     #[arg(long)]
     pub(crate) ignore_unused: bool,
-    /// Writes the plan: .svg a picture, .json a PlanRapidMoveResponse, .dxf a drawing, .nc G-code for --machine. Repeat
-    /// for more.
+    /// Writes the plan: .svg or .png a picture, .json a PlanRapidMoveResponse, .dxf a drawing, .nc G-code for --machine.
+    /// Repeat for more.
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
+    /// Width of .png pictures, pixels.
+    #[arg(long, value_name = "PX", default_value_t = 1600)]
+    pub(crate) width: u32,
     /// Writes the PlanRapidMoveRequest as JSON, for `traverse check` and `traverse call`.
     #[arg(long, value_name = "FILE")]
     pub(crate) request: Option<PathBuf>,

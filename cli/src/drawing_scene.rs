@@ -1,40 +1,66 @@
 //! From a drawing file to a scene, with everything that was not used said.
 
-use crate::arguments::{Corner, Rapid};
+use crate::arguments::{Corner, DrawingFile, Rapid, Unit};
 use crate::failure::Failure;
 use crate::input;
 use traverse_drawing::{
-    Machine, ObstacleRole, Profiles, ReadOptions, SceneFromDrawing, SceneOptions, Selector, read_dxf,
-    scene_from_drawing,
+    Drawing, LengthUnit, Machine, ObstacleRole, Profiles, ReadOptions, Roles, SceneFromDrawing, SceneOptions,
+    Selector, read_drawing, scene_from_drawing,
 };
 use traverse_geometry::CornerStyle;
 
 /// The scene that `arguments` ask for; the report goes to standard error.
 pub(crate) fn scene(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneFromDrawing, Failure> {
-    let path = arguments.drawing.display();
+    let path = arguments.file.drawing.display();
     let options = options(arguments, machine)?;
-    let bytes = input::read(&arguments.drawing)?;
-    let drawing = read_dxf(&bytes, &ReadOptions::default())
-        .map_err(|error| Failure::Input(format!("{path}: {error}")))?;
+    let drawing = read(&arguments.file)?;
+    if let Some(mapping) = &drawing.mapping {
+        eprintln!("page: {mapping}");
+    }
     let found =
         scene_from_drawing(&drawing, &options).map_err(|error| Failure::Input(format!("{path}: {error}")))?;
     eprint!("{}", found.report);
     if !found.report.is_complete() && !arguments.ignore_unused {
         return Err(Failure::Input(format!(
-            "{path}: parts of it could not be used (see above), so a path may run through them; repair the drawing, \
-             choose layers with --obstacles and --work-area, or pass --ignore-unused"
+            "{path}: parts of it could not be used (see above), so a path may run through them; look at them with \
+             `traverse inspect {path} -o drawing.svg`, repair the drawing, choose with --obstacles and --work-area, or \
+             pass --ignore-unused"
         )));
     }
     Ok(found)
 }
 
-/// The machine that `arguments` name, if any.
-pub(crate) fn machine(arguments: &Rapid) -> Result<Option<Machine>, Failure> {
-    let (Some(file), Some(name)) = (&arguments.machines, &arguments.machine) else { return Ok(None) };
-    let bytes = input::read(file)?;
-    let profiles = Profiles::read_from(&*bytes, &file.display().to_string());
+/// The drawing.
+pub(crate) fn read(file: &DrawingFile) -> Result<Drawing, Failure> {
+    let bytes = input::read(&file.drawing)?;
+    let mut options = ReadOptions::default();
+    options.default_unit = match file.unit {
+        Unit::Mm => LengthUnit::MILLIMETRES,
+        Unit::Inch => LengthUnit::INCHES,
+    };
+    options.pixels_per_inch = file.dpi;
+    options.fit_tolerance_mm = file.fit;
+    read_drawing(&bytes, &options)
+        .map_err(|error| Failure::Input(format!("{}: {error}", file.drawing.display())))
+}
+
+/// The machine that is named, if any.
+pub(crate) fn machine(file: &DrawingFile) -> Result<Option<Machine>, Failure> {
+    let (Some(machines), Some(name)) = (&file.machines, &file.machine) else { return Ok(None) };
+    let bytes = input::read(machines)?;
+    let profiles = Profiles::read_from(&*bytes, &machines.display().to_string());
     let found = profiles.and_then(|profiles| profiles.machine(name).cloned());
     found.map(Some).map_err(|error| Failure::Input(error.to_string()))
+}
+
+/// What the command line says of roles, over what `roles` hold.
+pub(crate) fn choose_roles(file: &DrawingFile, roles: &mut Roles) {
+    if !file.work_area.is_empty() {
+        roles.work_area = file.work_area.iter().map(|text| Selector::new(text)).collect();
+    }
+    if !file.obstacles.is_empty() {
+        roles.obstacles = file.obstacles.iter().map(|text| ObstacleRole::new(text)).collect();
+    }
 }
 
 /// The machine's settings, and those of the command line over them.
@@ -50,13 +76,8 @@ fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneOptions,
         machine.apply_to(&mut options);
         options.clearance_mm = clearance_mm;
     }
-    if !arguments.work_area.is_empty() {
-        options.roles.work_area = arguments.work_area.iter().map(|text| Selector::new(text)).collect();
-    }
-    if !arguments.obstacles.is_empty() {
-        options.roles.obstacles = arguments.obstacles.iter().map(|text| ObstacleRole::new(text)).collect();
-    }
-    options.join_tolerance_mm = arguments.join;
+    choose_roles(&arguments.file, &mut options.roles);
+    options.join_tolerance_mm = arguments.file.join;
     options.work_area_clearance_mm = arguments.border_clearance.or(options.work_area_clearance_mm);
     match arguments.corner {
         Some(Corner::Round) => options.corner_style = CornerStyle::Round,

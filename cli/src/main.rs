@@ -15,6 +15,8 @@ mod demo;
 mod drawing_scene;
 mod failure;
 mod input;
+mod inspect;
+mod picture_file;
 mod planning;
 mod rapid;
 mod serve;
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         match arguments.command {
             Command::Serve(serve) => serve::run(serve).await,
             Command::Rapid(rapid) => rapid::run(rapid).await,
+            Command::Inspect(inspect) => inspect::run(&inspect),
             Command::Check(check) => check::run(check).await,
             Command::Call(call) => call::run(call).await,
             Command::Demo(demo) => demo::run(demo).await,

@@ -2,6 +2,7 @@
 
 use crate::arguments::{Method, Rapid};
 use crate::failure::Failure;
+use crate::picture_file::{PictureKind, write_picture};
 use crate::{drawing_scene, input, planning};
 use std::path::Path as FilePath;
 use std::time::Duration;
@@ -15,7 +16,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
     for output in &arguments.output {
         kind_of(output)?;
     }
-    let machine = drawing_scene::machine(&arguments)?;
+    let machine = drawing_scene::machine(&arguments.file)?;
     let scene = drawing_scene::scene(&arguments, machine.as_ref())?.scene;
     let algorithm = match arguments.algorithm {
         Method::Exact => Algorithm::Exact,
@@ -32,11 +33,14 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
     }
     let caller = planning::caller(arguments.server.as_deref())?;
     let (answer, text) = planning::plan(&caller, &request).await?;
-    let title = arguments.drawing.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let title = arguments.file.drawing.file_name().unwrap_or_default().to_string_lossy().into_owned();
     for output in &arguments.output {
         match kind_of(output)? {
             Output::Json => input::write(output, &text)?,
-            Output::Picture => input::write(output, picture(&scene, &request, &answer, &title)?)?,
+            Output::Picture(kind) => {
+                let svg = picture(&scene, &request, &answer, &title)?;
+                write_picture(output, kind, &svg, arguments.width)?;
+            }
             Output::Drawing | Output::Program => {
                 let Some(path) = path_of(&answer)? else { continue };
                 input::write(output, written(&path, &scene, machine.as_ref(), output)?)?;
@@ -48,7 +52,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
 }
 
 enum Output {
-    Picture,
+    Picture(PictureKind),
     Json,
     Drawing,
     Program,
@@ -91,13 +95,15 @@ fn path_of(answer: &v1::PlanRapidMoveResponse) -> Result<Option<Path>, Failure> 
 }
 
 fn kind_of(path: &FilePath) -> Result<Output, Failure> {
+    if let Some(kind) = PictureKind::known(path) {
+        return Ok(Output::Picture(kind));
+    }
     match path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("svg") => Ok(Output::Picture),
         Some("json") => Ok(Output::Json),
         Some("dxf") => Ok(Output::Drawing),
         Some("nc" | "ngc" | "gcode" | "tap") => Ok(Output::Program),
         _ => Err(Failure::Input(format!(
-            "{}: write to a file that ends in .svg or .json, .dxf or .nc",
+            "{}: write to a file that ends in .svg, .png, .json, .dxf or .nc",
             path.display()
         ))),
     }

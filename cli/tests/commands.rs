@@ -160,7 +160,7 @@ fn every_failure_has_its_code_and_says_what_to_do() {
     };
     assert_ends(&rapid(&["--to", "nowhere", "--clearance", "5"]), 2, "write X,Y");
     assert_ends(&rapid(&["--to", "570,150", "--clearance", "-5"]), 3, "clearance_mm");
-    assert_ends(&rapid(&["--to", "570,150", "--clearance", "5", "-o", "plan.pdf"]), 3, ".svg or .json");
+    assert_ends(&rapid(&["--to", "570,150", "--clearance", "5", "-o", "plan.pdf"]), 3, ".svg, .png, .json");
     assert_ends(&rapid(&["--to", "110,155", "--clearance", "5"]), 4, "PART/1");
     assert_ends(&rapid(&["--to", "100,200", "--clearance", "5"]), 3, "inside the barrier");
     let far = rapid(&["--to", "570,150", "--clearance", "5", "--server", "http://127.0.0.1:1"]);

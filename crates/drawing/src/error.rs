@@ -117,10 +117,17 @@ pub enum ReadError {
         /// The limit, bytes.
         limit: u64,
     },
-    /// The DXF library refuses the file.
-    #[error("the file can't be read as DXF: {message}; export it again, as ASCII R2000 or later")]
-    Library {
-        /// What the library says.
-        message: String,
+    /// Blocks that hold themselves.
+    #[error("block {} holds itself; take the INSERT out of it that closes the ring", .blocks.join(" → "))]
+    BlockCycle {
+        /// Names of the blocks, each the holder of the next; the last is the first once more. Of long rings, the
+        /// beginning and the end.
+        blocks: Vec<String>,
+    },
+    /// Names of blocks, once for each curve inside, that are longer together than [`crate::ReadOptions::byte_limit`].
+    #[error("the names of the blocks round all curves take more than {limit} bytes; explode nested blocks")]
+    TooMuchNesting {
+        /// The limit, bytes.
+        limit: u64,
     },
 }

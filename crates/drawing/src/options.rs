@@ -8,7 +8,7 @@ use crate::LengthUnit;
 pub struct ReadOptions {
     /// Longest file, bytes. Default: 64 MiB.
     pub byte_limit: u64,
-    /// Most entities of all types. Default: 400 000, which takes up to 1 GB for a moment.
+    /// Most entities of all types, in blocks as often as they are drawn. Default: 400 000.
     pub entity_limit: usize,
     /// Most vertices of all curves together. Default: 2 000 000.
     pub vertex_limit: usize,

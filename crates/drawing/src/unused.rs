@@ -21,11 +21,11 @@ pub struct Unused {
 pub enum WhyUnused {
     /// This version does not read entities of its type.
     Type,
-    /// Its extrusion direction is not +Z: drawn in another plane, or mirrored.
+    /// Its extrusion direction is neither +Z nor −Z: drawn in another plane.
     Extrusion,
     /// On a layout sheet (paper space), not in the model.
     PaperSpace,
-    /// It has no length.
+    /// It has no length, or is inserted with a scale of 0.
     NoLength,
     /// Text, a dimension or the like: nothing that a machine could meet. Text is not converted to outlines.
     Annotation,
@@ -37,13 +37,23 @@ pub enum WhyUnused {
     Reference,
     /// A style rule whose selector is not read: colours may differ, and hidden elements be read.
     Selector,
+    /// A face, mesh or body in space.
+    Body,
+    /// A picture or another file's page behind the drawing: what it shows is not known.
+    Picture,
+    /// A filling whose border is drawn too: by curves on its layer that the file ties to it.
+    Filling,
+    /// It inserts a block that the file does not hold, or that lies in another file.
+    UnknownBlock,
+    /// Its own numbers contradict one another, such as a spline's knots and control points.
+    Inconsistent,
 }
 
 impl fmt::Display for WhyUnused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Type => "entities of this type are not read",
-            Self::Extrusion => "extrusion direction is not +Z",
+            Self::Extrusion => "extrusion direction is neither +Z nor -Z",
             Self::PaperSpace => "in paper space",
             Self::NoLength => "without length",
             Self::Annotation => "annotation",
@@ -51,6 +61,11 @@ impl fmt::Display for WhyUnused {
             Self::Clipped => "clipped in the picture, read whole",
             Self::Reference => "refers to what is not in the file",
             Self::Selector => "style rules with such selectors are not read",
+            Self::Body => "a face, mesh or body in space",
+            Self::Picture => "a picture",
+            Self::Filling => "a filling whose border is drawn too",
+            Self::UnknownBlock => "its block is not in the file",
+            Self::Inconsistent => "its numbers contradict one another",
         })
     }
 }
@@ -65,6 +80,21 @@ impl WhyUnused {
     /// Whether a machine could meet what was not used.
     #[must_use]
     pub fn loses_something(self) -> bool {
-        matches!(self, Self::Type | Self::Extrusion | Self::Reference)
+        match self {
+            Self::Type
+            | Self::Extrusion
+            | Self::Body
+            | Self::Picture
+            | Self::UnknownBlock
+            | Self::Inconsistent
+            | Self::Reference => true,
+            Self::PaperSpace
+            | Self::NoLength
+            | Self::Annotation
+            | Self::Filling
+            | Self::Hidden
+            | Self::Clipped
+            | Self::Selector => false,
+        }
     }
 }

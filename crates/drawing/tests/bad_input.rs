@@ -37,6 +37,9 @@ fn other_files_are_named() {
         (b"AutoCAD Binary DXF", "a damaged binary DXF file"),
         (&[0; 4096], "binary data"),
         (&[0xff; 4096], "binary data"),
+        (b"\xff\xfe0\0\r\0\n\0S\0", "text in UTF-16, which DXF never is"),
+        (b"\xfe\xff\x000\0\r\0\n", "text in UTF-16, which DXF never is"),
+        (b" \0 \x000\0\r\0\n\0", "text in UTF-16, which DXF never is"),
         (b"hello", "some other text"),
         (b"nan\nnan\n", "some other text"),
     ] {
@@ -103,7 +106,7 @@ fn limits_hold() {
 #[test]
 fn everything_else_is_counted() {
     let file = with_entities(
-        "0\nHATCH\n8\nA\n10\nx\n0\nCIRCLE\n8\nB\n10\n0\n20\n0\n40\n1\n230\n-1\n0\nHATCH\n8\nA\n0\nLINE\n8\nB\n10\n1\n20\n1\n11\n1\n21\n1\n\
+        "0\nHATCH\n8\nA\n10\nx\n0\nCIRCLE\n8\nB\n10\n0\n20\n0\n40\n1\n210\n1\n230\n0\n0\nHATCH\n8\nA\n0\nLINE\n8\nB\n10\n1\n20\n1\n11\n1\n21\n1\n\
          0\nPOLYLINE\n8\nC\n0\nVERTEX\n8\nC\n0\nVERTEX\n8\nC\n0\nSEQEND\n0\nTEXT\n8\nC\n1\nhi\n0\nCIRCLE\n8\nB\n67\n1\n40\n1\n",
     );
     let drawing = read(file.as_bytes()).unwrap();
@@ -119,7 +122,7 @@ fn everything_else_is_counted() {
             ("B", "CIRCLE", WhyUnused::Extrusion, 1),
             ("B", "CIRCLE", WhyUnused::PaperSpace, 1),
             ("B", "LINE", WhyUnused::NoLength, 1),
-            ("C", "POLYLINE", WhyUnused::Type, 1),
+            ("C", "POLYLINE", WhyUnused::NoLength, 1),
             ("C", "TEXT", WhyUnused::Annotation, 1),
         ]
     );

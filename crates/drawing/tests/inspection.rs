@@ -25,6 +25,7 @@ fn drawing(layers: &[(&str, Vec<Curve>)]) -> Drawing {
         unit_assumed: true,
         layers: layers.iter().map(layer).collect(),
         unused: Vec::new(),
+        mapping: None,
     }
 }
 

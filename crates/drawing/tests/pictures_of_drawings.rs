@@ -21,7 +21,7 @@ fn curve(points: &[(f64, f64)], closed: bool) -> Curve {
 
 fn drawing(layers: Vec<(&str, Vec<Curve>)>) -> Drawing {
     let layers = layers.into_iter().map(|(name, curves)| Layer { name: name.to_owned(), curves }).collect();
-    Drawing { unit: LengthUnit::MILLIMETRES, unit_assumed: false, layers, unused: Vec::new() }
+    Drawing { unit: LengthUnit::MILLIMETRES, unit_assumed: false, layers, unused: Vec::new(), mapping: None }
 }
 
 fn findings(drawing: &Drawing) -> Vec<DrawingFinding> {

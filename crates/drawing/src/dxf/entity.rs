@@ -1,124 +1,164 @@
-//! One entity of the `dxf` crate as a curve in millimetres.
+//! One entity of a file as it is kept until it is drawn out.
 
-use crate::curve::CurveBuilder;
-use crate::{Curve, ReadError, WhyUnused};
-use dxf::entities::{Entity, EntityType};
-use std::f64::consts::TAU;
-use traverse_geometry::{COORDINATE_LIMIT_MM, Point, RADIUS_LIMIT_MM, positive_angle, unit};
+use super::blocks::Blocks;
+use super::budget::VertexBudget;
+use super::hatch::{Hatch, read_hatch};
+use super::insert::{Insert, read_insert};
+use super::layers::LayerId;
+use super::polyline::{Polyline, read_lightweight, read_polyline};
+use super::record::{ColorRule, Facing, Head, Record};
+use super::round::{Round, read_arc, read_circle, read_ellipse};
+use super::spline::{Spline, read_spline};
+use super::text::TextCoding;
+use super::types::why_not_read;
+use crate::{ReadError, WhyUnused};
+use std::num::NonZeroU64;
+use std::rc::Rc;
+use traverse_geometry::Point;
 
-/// What became of an entity, with its type.
-pub(super) enum Taken {
-    Curve(&'static str, Curve),
-    Unusable(&'static str, WhyUnused),
-    OtherType,
+/// An entity and what it says of itself.
+#[derive(Debug)]
+pub(super) struct Entity {
+    /// Its own layer.
+    pub(super) layer: LayerId,
+    /// Its own colour.
+    pub(super) color: ColorRule,
+    /// Its handle.
+    pub(super) handle: Option<NonZeroU64>,
+    /// What it is.
+    pub(super) kind: Kind,
 }
 
-/// Components of a unit normal below this are rounding.
-const NORMAL_TOLERANCE: f64 = 1e-9;
+/// What an entity is.
+#[derive(Debug)]
+pub(super) enum Kind {
+    /// A shape, with its type.
+    Shape(&'static str, Shape),
+    /// A block drawn here.
+    Insert(Box<Insert>),
+    /// A filling; settled when all of its surroundings are read.
+    Hatch(Box<Hatch>),
+    /// Something that is not used, by its type.
+    Unused(Rc<str>, WhyUnused),
+}
 
-/// Largest absolute value of an angle in a file, degrees.
-const ANGLE_LIMIT_DEG: f64 = 1e6;
+/// A shape in the coordinates of its block and the unit of the file.
+#[derive(Debug)]
+pub(super) enum Shape {
+    /// A segment.
+    Line([Point; 2]),
+    /// A circle, an ellipse or an arc of one.
+    Round(Round),
+    /// Segments and arcs end to end.
+    Polyline(Polyline),
+    /// A spline.
+    Spline(Box<Spline>),
+}
 
-/// Largest absolute value of a bulge in a file: an arc that lacks 0.04 µrad to a full turn.
-const BULGE_LIMIT: f64 = 1e8;
+impl Shape {
+    /// How many vertices it comes to at least.
+    pub(super) fn vertex_count(&self) -> usize {
+        match self {
+            Self::Line(_) | Self::Round(_) => 2,
+            Self::Polyline(polyline) => polyline.vertices.len(),
+            Self::Spline(spline) => spline.points.len(),
+        }
+    }
+}
 
-/// The entity as a curve, its lengths multiplied by `scale`.
-pub(super) fn take_entity(entity: &Entity, scale: f64) -> Result<Taken, ReadError> {
-    let (name, normal) = match &entity.specific {
-        EntityType::Line(line) => ("LINE", &line.extrusion_direction),
-        EntityType::Arc(arc) => ("ARC", &arc.normal),
-        EntityType::Circle(circle) => ("CIRCLE", &circle.normal),
-        EntityType::LwPolyline(polyline) => ("LWPOLYLINE", &polyline.extrusion_direction),
-        _ => return Ok(Taken::OtherType),
+/// An entity that was read, its layer still by name.
+pub(super) struct Read<'a> {
+    /// What it says of itself.
+    pub(super) head: Head<'a>,
+    /// What it is.
+    pub(super) kind: Kind,
+}
+
+/// What a shape's own groups say; why it is not used otherwise.
+pub(super) type ShapeOrWhy = Result<Shape, WhyUnused>;
+
+/// Reads the rest of an entity of that type. Its vertices are taken from the budget.
+pub(super) fn read_entity<'a>(
+    name: &str,
+    mut record: Record<'_, 'a>,
+    blocks: &mut Blocks,
+    coding: TextCoding,
+    budget: &mut VertexBudget,
+) -> Result<Read<'a>, ReadError> {
+    let (name, shape) = match name {
+        "LINE" => ("LINE", Ok(read_line(&mut record)?)),
+        "ARC" => ("ARC", Ok(read_arc(&mut record)?)),
+        "CIRCLE" => ("CIRCLE", Ok(read_circle(&mut record)?)),
+        "ELLIPSE" => ("ELLIPSE", Ok(read_ellipse(&mut record)?)),
+        "LWPOLYLINE" => ("LWPOLYLINE", read_lightweight(&mut record, budget)?),
+        "SPLINE" => ("SPLINE", read_spline(&mut record, budget)?),
+        "POLYLINE" => {
+            // Its vertices are records of their own.
+            let (head, shape) = read_polyline(record, budget)?;
+            return Ok(Read { kind: settled("POLYLINE", shape, &head), head });
+        }
+        "INSERT" => {
+            let insert = read_insert(&mut record, blocks, coding)?;
+            let head = record.finish()?;
+            let kind = match (head.paper_space, head.facing(), insert) {
+                (true, ..) => Kind::Unused("INSERT".into(), WhyUnused::PaperSpace),
+                (_, Facing::Aside, _) => Kind::Unused("INSERT".into(), WhyUnused::Extrusion),
+                (_, facing, Ok(insert)) => Kind::Insert(Box::new(insert.facing(facing))),
+                (.., Err(why)) => Kind::Unused("INSERT".into(), why),
+            };
+            return Ok(Read { head, kind });
+        }
+        "HATCH" => {
+            let hatch = read_hatch(&mut record)?;
+            let head = record.finish()?;
+            let kind = if head.paper_space {
+                Kind::Unused("HATCH".into(), WhyUnused::PaperSpace)
+            } else {
+                Kind::Hatch(Box::new(hatch))
+            };
+            return Ok(Read { head, kind });
+        }
+        _ => {
+            let head = record.finish()?;
+            let why = if head.paper_space { WhyUnused::PaperSpace } else { why_not_read(name) };
+            return Ok(Read { head, kind: Kind::Unused(name.into(), why) });
+        }
     };
-    if entity.common.is_in_paper_space {
-        return Ok(Taken::Unusable(name, WhyUnused::PaperSpace));
+    let head = record.finish()?;
+    Ok(Read { kind: settled(name, shape, &head), head })
+}
+
+/// A shape as it lies in the plane.
+fn settled(name: &'static str, shape: ShapeOrWhy, head: &Head<'_>) -> Kind {
+    if head.paper_space {
+        return Kind::Unused(name.into(), WhyUnused::PaperSpace);
     }
-    // Ends of a LINE are in world coordinates whatever its extrusion.
-    let upright = normal.x.abs() <= NORMAL_TOLERANCE && normal.y.abs() <= NORMAL_TOLERANCE && normal.z > 0.0;
-    if !upright && name != "LINE" {
-        return Ok(Taken::Unusable(name, WhyUnused::Extrusion));
-    }
-    let numbers = Numbers { entity: name, layer: &entity.common.layer, scale };
-    let curve = match &entity.specific {
-        EntityType::Line(line) => {
-            let start = numbers.point(&line.p1.x, &line.p1.y)?;
-            let end = numbers.point(&line.p2.x, &line.p2.y)?;
-            CurveBuilder::from(start).edge(0.0, end).open()
-        }
-        EntityType::Arc(arc) => {
-            let center = numbers.point(&arc.center.x, &arc.center.y)?;
-            let radius = numbers.radius(arc.radius)?;
-            let start = numbers.within("start angle", arc.start_angle, ANGLE_LIMIT_DEG)?.to_radians();
-            let end = numbers.within("end angle", arc.end_angle, ANGLE_LIMIT_DEG)?.to_radians();
-            arc_curve(center, radius, start, end)
-        }
-        EntityType::Circle(circle) => {
-            let center = numbers.point(&circle.center.x, &circle.center.y)?;
-            arc_curve(center, numbers.radius(circle.radius)?, 0.0, 0.0)
-        }
-        EntityType::LwPolyline(polyline) => {
-            let mut vertices = Vec::with_capacity(polyline.vertices.len());
-            for vertex in &polyline.vertices {
-                let bulge = numbers.within("bulge", vertex.bulge, BULGE_LIMIT)?;
-                vertices.push((numbers.point(&vertex.x, &vertex.y)?, bulge));
-            }
-            polyline_curve(&vertices, polyline.is_closed())
-        }
-        _ => return Ok(Taken::OtherType),
+    let shape = match shape {
+        Ok(shape) => shape,
+        Err(why) => return Kind::Unused(name.into(), why),
     };
-    Ok(curve.map_or(Taken::Unusable(name, WhyUnused::NoLength), |curve| Taken::Curve(name, curve)))
-}
-
-/// Counter-clockwise from `start` to `end`, radians; equal angles are a full circle.
-fn arc_curve(center: Point, radius: f64, start: f64, end: f64) -> Option<Curve> {
-    if radius <= 0.0 {
-        return None;
-    }
-    let at = |angle: f64| center + unit(angle) * radius;
-    let sweep = positive_angle(end - start);
-    if sweep == 0.0 || TAU - sweep < 1e-12 {
-        // Opposite points to the last bit, so that both halves have one centre.
-        let spoke = unit(start) * radius;
-        return CurveBuilder::from(center + spoke)
-            .edge(1.0, center - spoke)
-            .edge(1.0, center + spoke)
-            .closed();
-    }
-    CurveBuilder::from(at(start)).edge((sweep / 4.0).tan(), at(start + sweep)).open()
-}
-
-fn polyline_curve(vertices: &[(Point, f64)], closed: bool) -> Option<Curve> {
-    let (&(first, _), rest) = vertices.split_first()?;
-    let mut builder = CurveBuilder::from(first);
-    for (&(_, bulge), &(end, _)) in vertices.iter().zip(rest) {
-        builder = builder.edge(bulge, end);
-    }
-    if closed { builder.edge(vertices.last()?.1, first).closed() } else { builder.open() }
-}
-
-/// Takes the numbers of an entity, refusing those out of range.
-struct Numbers<'a> {
-    entity: &'static str,
-    layer: &'a str,
-    scale: f64,
-}
-
-impl Numbers<'_> {
-    fn point(&self, x: &f64, y: &f64) -> Result<Point, ReadError> {
-        let limit = COORDINATE_LIMIT_MM;
-        Ok(Point::new(self.within("x", x * self.scale, limit)?, self.within("y", y * self.scale, limit)?))
-    }
-
-    fn radius(&self, radius: f64) -> Result<f64, ReadError> {
-        self.within("radius", radius * self.scale, RADIUS_LIMIT_MM)
-    }
-
-    fn within(&self, field: &'static str, value: f64, limit: f64) -> Result<f64, ReadError> {
-        if value.abs() <= limit {
-            return Ok(value);
+    match (shape, head.facing()) {
+        // These are in world coordinates whatever their extrusion.
+        (shape @ (Shape::Line(_) | Shape::Spline(_)), _) | (shape, Facing::Up) => Kind::Shape(name, shape),
+        (Shape::Polyline(polyline), _) if polyline.in_space => Kind::Shape(name, Shape::Polyline(polyline)),
+        (_, Facing::Aside) => Kind::Unused(name.into(), WhyUnused::Extrusion),
+        (Shape::Round(round), Facing::Down) => Kind::Shape(name, Shape::Round(round.facing_down())),
+        (Shape::Polyline(polyline), Facing::Down) => {
+            Kind::Shape(name, Shape::Polyline(polyline.facing_down()))
         }
-        let layer = self.layer.to_owned();
-        Err(ReadError::NumberOutOfRange { entity: self.entity, layer, field, value, limit })
     }
+}
+
+fn read_line(record: &mut Record<'_, '_>) -> Result<Shape, ReadError> {
+    let mut ends = [Point::origin(); 2];
+    while let Some(group) = record.next_group()? {
+        match group.code {
+            10 => ends[0].x = group.real()?,
+            20 => ends[0].y = group.real()?,
+            11 => ends[1].x = group.real()?,
+            21 => ends[1].y = group.real()?,
+            _ => {}
+        }
+    }
+    Ok(Shape::Line(ends))
 }

@@ -26,8 +26,22 @@ pub(super) fn sniff(bytes: &[u8]) -> Result<Spelling, ReadError> {
     if text.is_empty() {
         return Err(ReadError::Empty);
     }
+    if is_utf_16(bytes) {
+        return Err(ReadError::NotDxf { found: "text in UTF-16, which DXF never is" });
+    }
     if begins_with_group_code(text) {
         return Ok(Spelling::Ascii);
     }
     Err(ReadError::NotDxf { found: looks_like(bytes) })
+}
+
+/// By its mark, or by every second byte of its first letters being zero.
+fn is_utf_16(bytes: &[u8]) -> bool {
+    let letter = |b: u8| b.is_ascii_graphic() || b.is_ascii_whitespace();
+    match bytes {
+        [0xff, 0xfe, _, second, ..] => *second < 0x20,
+        [0xfe, 0xff, first, ..] => *first < 0x20,
+        [a, 0, b, 0, c, 0, ..] | [0, a, 0, b, 0, c, ..] => letter(*a) && letter(*b) && letter(*c),
+        _ => false,
+    }
 }
