@@ -75,14 +75,14 @@ fn measure(name: &str, work: impl Fn(&Budget) -> bool + Sync) {
 fn requests() -> Vec<(&'static str, v1::PlanRapidMoveRequest)> {
     let vertices = Limits::default().vertex_count;
     let star = |i: usize| {
-        let radius = if i.is_multiple_of(2) { 4000.0 } else { 4100.0 };
+        let radius = if i.is_multiple_of(2) { 4000.0 } else { 4000.2 };
         let angle = TAU * i as f64 / vertices as f64;
         [radius * angle.cos(), radius * angle.sin()]
     };
     let teeth = vertices / 4 - 1;
     let comb = |i: usize| {
         let x = i as f64 * 0.1;
-        [x, 100.0, x + 0.05, 100.0, x + 0.05, -4000.0, x + 0.1, -4000.0]
+        [x, 100.0, x + 0.05, 100.0, x + 0.05, 99.0, x + 0.1, 99.0]
     };
     let mut comb: Vec<f64> = (0..teeth).flat_map(comb).collect();
     comb.extend([teeth as f64 * 0.1, 200.0, 0.0, 200.0]);
@@ -99,7 +99,7 @@ fn requests() -> Vec<(&'static str, v1::PlanRapidMoveRequest)> {
     };
     vec![
         ("star", request(vec![(0..vertices).flat_map(star).collect()], (-5000.0, 10.0), (5000.0, 10.0))),
-        ("comb", request(vec![comb], (10.02, -50.0), (5000.02, -60.0))),
+        ("comb", request(vec![comb], (-10.0, 99.5), (6300.0, 99.5))),
         ("squares", request(squares(5.0), (-5.0, -5.0), (3400.0, 3400.0))),
         ("touching squares", request(squares(0.0), (-5.0, -5.0), (2400.0, 2400.0))),
     ]

@@ -2,6 +2,7 @@
 
 use crate::curve::{Curve, cross};
 use crate::mitre::Corner;
+use std::ops::Range;
 use traverse_geometry::{Bounds, CornerStyle, MITER_RATIO_LIMIT, Point, Polygon, Ring, Scene};
 
 /// An obstacle, or all that lies outside the work area.
@@ -15,6 +16,8 @@ pub(crate) struct Solid {
     pub(crate) miter_limit: Option<f64>,
     /// Box round its border.
     pub(crate) bounds: Bounds,
+    /// Its edges.
+    pub(crate) edges: Range<u32>,
 }
 
 impl Solid {
@@ -67,9 +70,10 @@ impl Boundary {
             let counter_clockwise = (index == 0) == obstacle.is_some();
             self.add_ring(ring, counter_clockwise, solid);
         }
-        let edges = first..self.vertices.len();
-        let bounds = edges.fold(Bounds::EMPTY, |bounds, edge| bounds.union(self.curve(edge as u32).bounds()));
-        self.solids.push(Solid { obstacle, clearance, miter_limit, bounds });
+        let edges = first as u32..self.vertices.len() as u32;
+        let all = edges.clone();
+        let bounds = all.fold(Bounds::EMPTY, |bounds, edge| bounds.union(self.curve(edge).bounds()));
+        self.solids.push(Solid { obstacle, clearance, miter_limit, bounds, edges });
     }
 
     fn add_ring(&mut self, ring: &Ring, counter_clockwise: bool, solid: u32) {

@@ -8,10 +8,14 @@ use crate::curve::{Curve, right_of};
 use parry2d_f64::bounding_volume::Aabb;
 use parry2d_f64::math::Vector as ParryVector;
 use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
+use std::ops::Range;
 use traverse_geometry::{Bounds, Point, Vector};
 
 /// Most edges in one tree: building it takes a few milliseconds, so that giving up does not wait for long.
 const TREE_SIZE: usize = 16_384;
+
+/// So few edges are looked at one by one.
+const FEW_EDGES: usize = 256;
 
 /// The tree, in parts, and how its boxes relate to margins.
 pub(crate) struct BoundaryTree {
@@ -40,6 +44,23 @@ impl BoundaryTree {
     /// Calls `found` with every edge whose box comes within `reach` of `step`, possibly a few more.
     pub(crate) fn near(&self, step: &StepBox, reach: f64, mut found: impl FnMut(u32)) {
         self.traverse(|bounds| step.distance_to(bounds) <= reach, &mut found);
+    }
+
+    /// The least distance from `at` to the edges `among`. Cost: linear for a few edges; for many, as
+    /// [`Self::least_margin`].
+    pub(crate) fn distance_among(&self, boundary: &Boundary, at: Point, among: &Range<u32>) -> Option<f64> {
+        let distance = |edge: u32| boundary.curve(edge).distance_to_point(at);
+        if among.len() <= FEW_EDGES {
+            return among.clone().map(distance).min_by(f64::total_cmp);
+        }
+        let step = StepBox::of(&Curve::straight(at, at));
+        let bound = |node: &BvhNode, _| step.distance_to(&bounds(node));
+        let holds = |(first, _): &&(u32, Bvh)| *first < among.end && among.start < first + TREE_SIZE as u32;
+        self.parts.iter().filter(holds).fold(None, |least: Option<f64>, (first, part)| {
+            let of_these = |edge: u32| among.contains(&(first + edge)).then(|| distance(first + edge));
+            let nearer = part.find_best(least.unwrap_or(f64::INFINITY), bound, |edge, _| of_these(edge));
+            nearer.map(|(_, distance)| distance).or(least)
+        })
     }
 
     /// The least margin below `most`, where `margin` gives it for an edge.

@@ -90,7 +90,7 @@ impl Surroundings<'_> {
 
     /// The least margin inside `solid`: minus depth less clearance, at the deepest of a few places of each part.
     pub(crate) fn deepest(&self, step: &Curve, solid: u32, parts: &[Part]) -> Option<Nearest> {
-        let clearance = self.boundary.solids[solid as usize].clearance;
+        let solid = &self.boundary.solids[solid as usize];
         parts
             .iter()
             .take_while(|_| (self.go_on)())
@@ -101,12 +101,8 @@ impl Surroundings<'_> {
                 })
             })
             .filter_map(|at| {
-                let point = Curve::straight(at, at);
-                let depth = self.tree.least_margin(&StepBox::of(&point), f64::INFINITY, |edge| {
-                    (self.boundary.solid_of(edge) == solid)
-                        .then(|| self.boundary.curve(edge).distance_to_point(at))
-                })?;
-                Some(Nearest { distance: -depth - clearance, at })
+                let depth = self.tree.distance_among(self.boundary, at, &solid.edges)?;
+                Some(Nearest { distance: -depth - solid.clearance, at })
             })
             .min_by(|one, other| one.distance.total_cmp(&other.distance))
     }

@@ -1,6 +1,6 @@
 //! From a drawing to a scene: loops, what lies in what, obstacles, work area, parts and sections.
 
-use crate::obstacles::{shapes_of, with_clearance};
+use crate::obstacles::{Shape, shapes_of, with_clearance};
 use crate::role_loops::{RoleLoops, loops_by_role};
 use crate::work_area::work_area_of;
 use crate::{
@@ -99,11 +99,9 @@ pub fn scene_from_drawing(drawing: &Drawing, options: &SceneOptions) -> Result<S
                 }));
             }
             Role::Part => {
-                parts.extend(shapes_of(&group, &mut report.findings).into_iter().map(|shape| Part {
-                    id: number(Role::Part, group.layer),
-                    shape: shape.polygon,
-                    deviation_mm: shape.deviation_mm,
-                }))
+                for Shape { polygon, deviation_mm } in shapes_of(&group, &mut report.findings) {
+                    parts.push(Part { id: number(Role::Part, group.layer), shape: polygon, deviation_mm });
+                }
             }
             Role::Section => {
                 let section = sections.entry(group.chosen.name.clone()).or_default();

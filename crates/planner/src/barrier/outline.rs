@@ -5,10 +5,14 @@ use super::{Blocker, Feature};
 use traverse_geometry::{
     CONTACT_TOLERANCE_MM, CornerStyle, Edge, Orientation, Ring, Vector, cross, left_of, orientation,
 };
+use traverse_solve::{Budget, Interrupt};
 
 /// Directions that differ by less than this run on smoothly, radians: rounding, below what any tangent's direction is
 /// known to. A larger turn is a corner of its own, so that no direction falls between an arc and its neighbour.
 const SMOOTH_RAD: f64 = 5e-14;
+
+/// The budget is looked at once for so many edges.
+const EDGES_BETWEEN_CHECKS: usize = 4096;
 
 /// The clearance of one barrier, and how its corners turn.
 #[derive(Clone, Copy, Debug)]
@@ -72,12 +76,18 @@ impl Outline<'_> {
     }
 
     /// Adds the ring's features. Cost: linear.
-    pub(crate) fn add_features(&self, features: &mut Vec<Feature>) {
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(crate) fn add_features(&self, features: &mut Vec<Feature>, budget: &Budget) -> Result<(), Interrupt> {
         let first = features.len();
         let n = self.ring.len();
         // Per edge and per corner, which features stand for its beginning and its end.
         let mut chain: Vec<Option<(usize, usize)>> = Vec::with_capacity(2 * n);
         for (i, edge) in self.ring.edges().enumerate() {
+            if i % EDGES_BETWEEN_CHECKS == 0 {
+                budget.check(0)?;
+            }
             chain.push(self.corner_at(i).map(|corner| self.add_corner(&corner, features)));
             chain.push(self.add_arc(&edge, features));
         }
@@ -102,6 +112,7 @@ impl Outline<'_> {
             self.add_hidden_corners(features);
         }
         debug_assert!(features[first..].iter().all(|feature| feature.sweep >= 0.0));
+        Ok(())
     }
 
     /// The corner between edge `i − 1` and edge `i`, where the barrier is convex.

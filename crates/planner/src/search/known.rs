@@ -5,8 +5,11 @@ use crate::barriers::Barriers;
 use std::cell::OnceCell;
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Point, Segment};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Point, Segment, Vector};
 use traverse_solve::{Budget, Interrupt};
+
+/// The budget is looked at once for so many features.
+const FEATURES_BETWEEN_CHECKS: usize = 4096;
 
 /// A scene's barriers, or some of them, and which of these were met.
 pub(crate) struct Known<'a> {
@@ -19,8 +22,10 @@ pub(crate) struct Known<'a> {
     pub(crate) features: Vec<Feature>,
     /// Per feature the stretches of its range that nothing blocks, worked out when first asked for.
     free: Vec<OnceCell<Stretches>>,
-    /// Features by the millimetre square that their centre lies in or next to.
-    centers: HashMap<[i64; 2], Vec<usize>>,
+    /// The last feature of each millimetre square that a centre lies in, and for every feature the one before it in
+    /// its square.
+    last_in: HashMap<[i64; 2], usize>,
+    before_in_square: Vec<Option<usize>>,
 }
 
 /// The stretches of a feature's range that no barrier blocks, in order, and whose barriers block the rest.
@@ -49,7 +54,8 @@ impl<'a> Known<'a> {
             met: vec![false; owners],
             features: Vec::new(),
             free: Vec::new(),
-            centers: HashMap::new(),
+            last_in: HashMap::new(),
+            before_in_square: Vec::new(),
         }
     }
 
@@ -70,13 +76,14 @@ impl<'a> Known<'a> {
         let first = self.features.len();
         self.met[owner] = true;
         for outline in self.barriers.outlines(owner) {
-            budget.check(0)?;
-            outline.add_features(&mut self.features);
+            outline.add_features(&mut self.features, budget)?;
         }
         for feature in first..self.features.len() {
-            for square in squares(self.features[feature].center) {
-                self.centers.entry(square).or_default().push(feature);
+            if feature % FEATURES_BETWEEN_CHECKS == 0 {
+                budget.check(0)?;
             }
+            let before = self.last_in.insert(square_of(self.features[feature].center), feature);
+            self.before_in_square.push(before);
         }
         self.free.resize_with(self.features.len(), OnceCell::new);
         Ok(first..self.features.len())
@@ -130,9 +137,11 @@ impl<'a> Known<'a> {
 
     /// Other features on the same circle.
     pub(crate) fn on_same_circle(&self, feature: usize) -> impl Iterator<Item = usize> {
-        let [x, y] = square_of(self.features[feature].center);
-        let near = self.centers.get(&[x, y]).into_iter().flatten().copied();
-        near.filter(move |&other| other != feature && self.is_same_circle(feature, other))
+        let squares = squares_near(self.features[feature].center);
+        let last = squares.into_iter().flatten().filter_map(|square| self.last_in.get(&square).copied());
+        let all =
+            last.flat_map(|last| std::iter::successors(Some(last), |&other| self.before_in_square[other]));
+        all.filter(move |&other| other != feature && self.is_same_circle(feature, other))
     }
 
     fn is_same_circle(&self, one: usize, other: usize) -> bool {
@@ -174,14 +183,15 @@ fn square_of(p: Point) -> [i64; 2] {
     [p.x.floor() as i64, p.y.floor() as i64]
 }
 
-/// Squares in which a centre within half a contact tolerance of `center` may lie.
-fn squares(center: Point) -> Vec<[i64; 2]> {
-    let by = CONTACT_TOLERANCE_MM;
-    let mut squares: Vec<[i64; 2]> = [(-by, -by), (by, -by), (-by, by), (by, by)]
-        .into_iter()
-        .map(|(x, y)| square_of(Point::new(center.x + x, center.y + y)))
-        .collect();
-    squares.sort_unstable();
-    squares.dedup();
-    squares
+/// The squares in which a centre within half a contact tolerance of `center` may lie, each once.
+fn squares_near(center: Point) -> [Option<[i64; 2]>; 4] {
+    let by = Vector::new(CONTACT_TOLERANCE_MM, CONTACT_TOLERANCE_MM);
+    let ([left, low], [right, high]) = (square_of(center - by), square_of(center + by));
+    let (wide, tall) = (left < right, low < high);
+    [
+        Some([left, low]),
+        wide.then_some([right, low]),
+        tall.then_some([left, high]),
+        (wide && tall).then_some([right, high]),
+    ]
 }

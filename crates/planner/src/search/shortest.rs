@@ -21,8 +21,8 @@ use std::collections::BinaryHeap;
 use traverse_geometry::Vector;
 use traverse_solve::{Budget, Interrupt, Observer};
 
-/// Most labels of one search: about 400 MB.
-const LABEL_LIMIT: usize = 2_000_000;
+/// Most labels of one search: about 160 MB. Giving back more would take longer than a cancelled call may go on.
+const LABEL_LIMIT: usize = 1_000_000;
 
 /// An order of costs for the heap; costs are finite and not negative, so their bits sort as they do.
 type Priority = u64;

@@ -71,6 +71,9 @@ impl Reader<'_> {
         let mut read = Vec::with_capacity(obstacles.len());
         let mut complete = true;
         for (index, obstacle) in obstacles.into_iter().enumerate() {
+            if !self.goes_on() {
+                return None;
+            }
             let field = format!("{field}.obstacles[{index}]");
             self.id(&field, index, &obstacle.id, &mut first_with);
             let clearance_mm =
