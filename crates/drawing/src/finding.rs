@@ -50,6 +50,15 @@ pub enum Fault {
         /// What geometry says.
         finding: Finding,
     },
+    /// Two loops of a layer, side by side, that cross; both count as solid obstacles.
+    LoopsCross,
+    /// Two curves that run along one another: a machine would cut there twice.
+    Overlap {
+        /// For how long, millimetres.
+        length_mm: f64,
+    },
+    /// So many curves lie beside one another that not all pairs were compared: more may cross or overlap.
+    NotAllCompared,
     /// A loop inside a hole of the work area: unreachable from outside, so it is left out.
     IslandInWorkArea,
 }
@@ -58,7 +67,15 @@ impl Fault {
     /// Whether something that was drawn is missing from the result because of this.
     #[must_use]
     pub fn loses_something(&self) -> bool {
-        !matches!(self, Self::Duplicate | Self::TooShort { .. } | Self::CrossingLoops { .. })
+        !matches!(
+            self,
+            Self::Duplicate
+                | Self::TooShort { .. }
+                | Self::CrossingLoops { .. }
+                | Self::LoopsCross
+                | Self::Overlap { .. }
+                | Self::NotAllCompared
+        )
     }
 }
 
@@ -81,6 +98,14 @@ impl fmt::Display for Fault {
             Self::CrossingLoops { finding } => {
                 write!(f, "lies partly inside another loop; both taken as solid: {}", finding.message)
             }
+            Self::LoopsCross => f.write_str("two loops cross; both taken as solid, part them or join them"),
+            Self::Overlap { length_mm } => write!(
+                f,
+                "two curves run along one another for {length_mm:.3} mm; delete one there unless both are meant"
+            ),
+            Self::NotAllCompared => f.write_str(
+                "too many curves lie beside one another to look for every crossing and overlap; split the drawing",
+            ),
             Self::IslandInWorkArea => f.write_str("loop inside a hole of the work area; left out, delete it"),
         }
     }

@@ -1,6 +1,7 @@
 //! What is in a drawing: layers, loops, nesting, unit, findings.
 
 use crate::obstacles::shapes_of;
+use crate::overlaps::overlaps;
 use crate::role_loops::{RoleLoops, loops_by_role};
 use crate::{Drawing, DrawingFinding, LengthUnit, Role, Roles, Unused};
 use std::fmt;
@@ -63,8 +64,10 @@ pub fn inspect_drawing(drawing: &Drawing, roles: &Roles, join_tolerance_mm: f64)
     };
     for mut group in loops_by_role(drawing, roles, join_tolerance_mm, |_| true) {
         inspection.findings.append(&mut group.findings);
+        let shared = overlaps(group.layer, &group.curves, &group.repeated_curves, join_tolerance_mm);
+        inspection.findings.extend(shared);
         let shapes = shapes_of(&group, &mut inspection.findings);
-        let area_mm2 = shapes.iter().map(|shape| shape.polygon.area()).sum();
+        let area_mm2 = shapes.iter().map(|shape| shape.polygon.area()).fold(0.0, |sum, area| sum + area);
         inspection.layers.push(LayerInspection { area_mm2, ..group.inspection() });
     }
     inspection
@@ -76,8 +79,8 @@ impl RoleLoops<'_> {
         LayerInspection {
             layer: self.layer.to_owned(),
             role: self.chosen.role,
-            curve_count: self.curve_count,
-            length_mm: self.length_mm,
+            curve_count: self.curves.len(),
+            length_mm: self.curves.iter().map(crate::Curve::length).sum(),
             outer_loop_count,
             inner_loop_count: self.loops.len() - outer_loop_count,
             deepest_nesting: self.forest.depths.iter().map(|depth| depth + 1).max().unwrap_or(0),

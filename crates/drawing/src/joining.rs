@@ -38,6 +38,8 @@ pub struct Joined {
     pub findings: Vec<DrawingFinding>,
     /// Curves, by place on the layer, that belong to open chains. Sorted.
     pub open_curves: Vec<usize>,
+    /// Curves, by place on the layer, that repeat others and were left out. Sorted.
+    pub repeated_curves: Vec<usize>,
 }
 
 impl Loop {
@@ -123,8 +125,10 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
             loops.extend(chain::closed_by_itself(&curves[curve], curve, snapped.vertices[from]));
         }
     }
+    let mut repeated = Vec::new();
     let links = duplicate::without_repeated_links(links, curves, tolerance_mm, &mut |curve| {
         report(curves[curve].vertices[0], Fault::Duplicate);
+        repeated.push(curve);
     });
     let found = chains(&links, snapped.vertices.len());
     for vertex in found.junctions {
@@ -149,9 +153,12 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
     );
     joined.open_curves.sort_unstable();
     loops.sort_by_key(|each| each.first_curve);
-    joined.loops = duplicate::without_repeated_loops(loops, tolerance_mm, &mut |place| {
-        report(place, Fault::Duplicate);
+    joined.loops = duplicate::without_repeated_loops(loops, tolerance_mm, &mut |each| {
+        report(each.vertices[0], Fault::Duplicate);
+        repeated.push(each.first_curve);
     });
+    repeated.sort_unstable();
+    joined.repeated_curves = repeated;
     joined
 }
 

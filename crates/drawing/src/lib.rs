@@ -24,7 +24,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod box_pairs;
 mod color;
+mod crossing_loops;
 mod curve;
 mod drawing;
 mod dxf;
@@ -39,6 +41,7 @@ mod joining;
 mod monotone;
 mod obstacles;
 mod options;
+mod overlaps;
 mod page_mapping;
 mod part;
 mod pattern;

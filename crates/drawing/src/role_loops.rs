@@ -1,5 +1,6 @@
 //! The loops of a drawing by layer and role.
 
+use crate::crossing_loops::crossing_loops;
 use crate::roles::Chosen;
 use crate::{Curve, Drawing, DrawingFinding, Forest, Layer, Loop, Role, Roles, join_loops};
 use std::borrow::Cow;
@@ -9,9 +10,9 @@ use std::collections::BTreeMap;
 pub(crate) struct RoleLoops<'a> {
     pub(crate) layer: &'a str,
     pub(crate) chosen: Chosen,
-    pub(crate) curve_count: usize,
-    /// Of all its curves, millimetres.
-    pub(crate) length_mm: f64,
+    pub(crate) curves: Cow<'a, [Curve]>,
+    /// Curves, by place, that repeat others and were left out. Sorted.
+    pub(crate) repeated_curves: Vec<usize>,
     pub(crate) loops: Vec<Loop>,
     pub(crate) forest: Forest,
     pub(crate) findings: Vec<DrawingFinding>,
@@ -29,17 +30,20 @@ pub(crate) fn loops_by_role<'a>(
         by_role(layer, roles).into_iter().map(move |(chosen, curves)| {
             let mut group = RoleLoops {
                 layer: &layer.name,
-                curve_count: curves.len(),
-                length_mm: curves.iter().map(Curve::length).sum(),
+                repeated_curves: Vec::new(),
                 loops: Vec::new(),
                 forest: Forest::of(&[]),
                 findings: Vec::new(),
                 chosen,
+                curves,
             };
             if wanted(group.chosen.role) {
-                let joined = join_loops(&layer.name, &curves, tolerance_mm);
+                let joined = join_loops(&layer.name, &group.curves, tolerance_mm);
                 group.forest = Forest::of(&joined.loops);
                 (group.loops, group.findings) = (joined.loops, joined.findings);
+                group.repeated_curves = joined.repeated_curves;
+                let crossing = crossing_loops(&group);
+                group.findings.extend(crossing);
             }
             group
         })

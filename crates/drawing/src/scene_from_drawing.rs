@@ -139,7 +139,7 @@ impl RoleLoops<'_> {
             layer: self.layer.to_owned(),
             role: self.chosen.role,
             top_mm: obstacle.and_then(|role| role.top_mm),
-            curve_count: self.curve_count,
+            curve_count: self.curves.len(),
             loop_count: self.loops.len(),
         }
     }

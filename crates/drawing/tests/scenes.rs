@@ -160,7 +160,12 @@ fn loops_that_cross_are_solid_side_by_side() {
     let made = scene(&[("A", &[closed(&c), bar, low])], Roles::default()).unwrap();
     assert_eq!(ids(&made), ["A/1", "A/2", "A/3"]);
     assert!(made.scene.obstacles.iter().all(|obstacle| obstacle.shape.holes().is_empty()));
-    assert!(made.report.findings.iter().all(|finding| matches!(finding.fault, Fault::CrossingLoops { .. })));
+    assert!(
+        made.report
+            .findings
+            .iter()
+            .all(|finding| matches!(finding.fault, Fault::CrossingLoops { .. } | Fault::LoopsCross))
+    );
     assert!(made.report.is_complete() && !made.report.findings.is_empty());
 }
 

@@ -65,7 +65,7 @@ fn same_way(a: &Curve, b: &Curve, same_direction: bool, tolerance_mm: f64) -> bo
 pub(super) fn without_repeated_loops(
     loops: Vec<Loop>,
     tolerance_mm: f64,
-    repeated: &mut dyn FnMut(Point),
+    repeated: &mut dyn FnMut(&Loop),
 ) -> Vec<Loop> {
     let corners: Vec<Point> =
         loops.iter().map(Loop::bounds).flat_map(|bounds| [bounds.min, bounds.max]).collect();
@@ -75,7 +75,7 @@ pub(super) fn without_repeated_loops(
     for (each, corners) in loops.into_iter().zip(corner_of.chunks_exact(2)) {
         let kind = alike.entry((corners[0], corners[1])).or_default();
         if kind.iter().take(MOST_COMPARISONS).any(|&other| same_loop(&each, &kept[other], tolerance_mm)) {
-            repeated(each.vertices[0]);
+            repeated(&each);
         } else {
             kind.push(kept.len());
             kept.push(each);

@@ -1,0 +1,60 @@
+//! Loops side by side that cross one another. Those that cross the loop around them are found when holes are made.
+
+use crate::box_pairs::meeting_boxes;
+use crate::role_loops::RoleLoops;
+use crate::{DrawingFinding, Fault, Forest};
+use std::collections::HashMap;
+use traverse_geometry::{Polygon, Reason, Ring};
+
+/// Comparisons of boxes and vertices of pairs that are looked at, at most: bounds the work on hostile drawings.
+const WORK_LIMIT: usize = 20_000_000;
+
+/// One finding for each two loops that cross and of which neither is directly around the other.
+pub(crate) fn crossing_loops(group: &RoleLoops<'_>) -> Vec<DrawingFinding> {
+    let bounds: Vec<_> = group.loops.iter().map(crate::Loop::bounds).collect();
+    let mut pairs = Vec::new();
+    let mut complete = meeting_boxes(&bounds, WORK_LIMIT, |a, b| {
+        if !is_around(&group.forest, a, b) && !is_around(&group.forest, b, a) {
+            pairs.push((a, b));
+        }
+    });
+    pairs.sort_unstable();
+    let mut rings: HashMap<usize, Option<Ring>> = HashMap::new();
+    let mut ring = |each: usize| {
+        // What is no ring has findings already.
+        rings.entry(each).or_insert_with(|| group.ring(each, &mut Vec::new())).clone()
+    };
+    let mut work = 0;
+    let mut findings = Vec::new();
+    for (a, b) in pairs {
+        work += group.loops[a].vertices.len() + group.loops[b].vertices.len();
+        if work > WORK_LIMIT {
+            complete = false;
+            break;
+        }
+        let (Some(outer), Some(inner)) = (ring(a), ring(b)) else { continue };
+        let Err(why) = Polygon::new(outer, vec![inner]) else { continue };
+        let cross = why.into_iter().find(|finding| finding.reason == Reason::EdgesCross);
+        if let Some(cross) = cross {
+            let found = group.findings_at(a, &[b], vec![cross], |_| Fault::LoopsCross);
+            findings.extend(found);
+        }
+    }
+    if let Some(first) = group.loops.first().filter(|_| !complete) {
+        let (layer, place) = (group.layer.to_owned(), first.vertices[0]);
+        findings.push(DrawingFinding { layer, place, fault: Fault::NotAllCompared });
+    }
+    findings
+}
+
+/// Whether loop `outer` lies around loop `inner`, however far out.
+fn is_around(forest: &Forest, outer: usize, inner: usize) -> bool {
+    let mut around = forest.parents[inner];
+    while let Some(each) = around {
+        if each == outer {
+            return true;
+        }
+        around = forest.parents[each];
+    }
+    false
+}
