@@ -15,7 +15,7 @@ pub(crate) struct Barriers<'a> {
 }
 
 impl<'a> Barriers<'a> {
-    /// Takes the scene's barriers apart. Cost: n log n.
+    /// Takes the scene's barriers apart. Cost: linear.
     ///
     /// # Errors
     /// The budget ended.
@@ -23,15 +23,14 @@ impl<'a> Barriers<'a> {
         let obstacles = scene.obstacles.iter().map(|obstacle| material_left(&obstacle.shape, true));
         let border = scene.work_area.iter().map(|area| material_left(area, false));
         let rings = obstacles.chain(border).collect();
-        let mut barriers = Self { scene, rings, whole: Obstruction::default() };
+        let whole = Obstruction::new(Vec::new(), budget)?;
+        let mut barriers = Self { scene, rings, whole };
         let mut blockers = Vec::new();
         for owner in 0..barriers.owner_count() {
+            budget.check(0)?;
             barriers.outlines(owner).for_each(|outline| outline.add_blockers(&mut blockers));
-            if blockers.len() >= Obstruction::TREE_SIZE {
-                barriers.whole.add(&std::mem::take(&mut blockers), budget)?;
-            }
         }
-        barriers.whole.add(&blockers, budget)?;
+        barriers.whole = Obstruction::new(blockers, budget)?;
         Ok(barriers)
     }
 

@@ -5,6 +5,7 @@ use crate::barrier::{Blocker, miter_gauge};
 use crate::barriers::Barriers;
 use crate::search::End;
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 use traverse_geometry::{
     CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, left_of, positive_angle, unit,
 };
@@ -140,7 +141,7 @@ fn border_rays(barriers: &Barriers<'_>, point: Point) -> Vec<f64> {
 
 /// Blockers that `point` lies nearer to than a contact tolerance and that are planned at it.
 fn near(barriers: &Barriers<'_>, point: Point) -> Vec<Blocker> {
-    let here = Edge::Segment(Segment::new(point, point));
+    let here = Segment::new(point, point);
     let touches = |blocker: &&Blocker| {
         blocker.limit <= CONTACT_TOLERANCE_MM && blocker.edge.distance_to_point(point) < CONTACT_TOLERANCE_MM
     };
@@ -149,8 +150,12 @@ fn near(barriers: &Barriers<'_>, point: Point) -> Vec<Blocker> {
 
 /// Whether a planned path may pass `place`.
 fn is_clear(barriers: &Barriers<'_>, place: Point) -> bool {
-    let here = Edge::Segment(Segment::new(place, place));
-    barriers.whole.blocking(&here).next().is_none()
+    let mut clear = true;
+    barriers.whole.blocking(&Segment::new(place, place), |_| {
+        clear = false;
+        ControlFlow::Break(())
+    });
+    clear
 }
 
 /// Whether `place` lies beside `point` on the free side: outside of all material, with nothing between them but
@@ -161,8 +166,9 @@ fn is_beside(
     place: Point,
     budget: &Budget,
 ) -> Result<bool, Interrupt> {
-    let between = Edge::Segment(Segment::new(point, place));
-    let parted = barriers.whole.near(&between).any(|blocker| {
+    let line = Segment::new(point, place);
+    let between = Edge::Segment(line);
+    let parted = barriers.whole.near(&line).any(|blocker| {
         blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
             && blocker.edge.distance(&between) == 0.0
     });

@@ -1,6 +1,6 @@
 //! What a move must keep away from: one edge and the distance asked for it.
 
-use traverse_geometry::{Bounds, Edge};
+use traverse_geometry::Edge;
 
 /// An edge that no move may come nearer to than `limit`.
 #[derive(Clone, Copy, Debug)]
@@ -17,10 +17,5 @@ impl Blocker {
     /// Whether the straight or circular move `piece` comes too near.
     pub(crate) fn blocks(&self, piece: &Edge) -> bool {
         self.edge.distance(piece) < self.limit
-    }
-
-    /// What the blocker can reach.
-    pub(crate) fn bounds(&self) -> Bounds {
-        self.edge.bounds().grown(self.limit)
     }
 }

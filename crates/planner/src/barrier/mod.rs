@@ -11,12 +11,14 @@
 
 mod blocker;
 mod feature;
+mod grid;
 mod miter;
 mod obstruction;
 mod outline;
 
 pub(crate) use blocker::Blocker;
 pub(crate) use feature::{Feature, Side};
+pub(crate) use grid::{Grid, Load};
 pub(crate) use miter::miter_gauge;
 pub(crate) use obstruction::Obstruction;
 pub(crate) use outline::{Clearance, Outline};

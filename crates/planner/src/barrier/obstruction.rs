@@ -1,71 +1,135 @@
 //! A set of blockers that answers quickly which of them block a move.
 
-use super::{Blocker, Feature};
-use parry2d_f64::bounding_volume::Aabb;
-use parry2d_f64::math::Vector as ParryVector;
-use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
+use super::{Blocker, Feature, Grid, Load};
 use std::f64::consts::TAU;
-use traverse_geometry::{Arc, Bounds, Edge, Point, Vector, cross, positive_angle};
+use std::ops::ControlFlow;
+use traverse_geometry::{Arc, Edge, Point, Segment, Vector, left_of, positive_angle};
 use traverse_solve::{Budget, Interrupt};
 
-/// Blockers in bounding-volume trees. Building costs n log n; a query about log n and what it meets.
-#[derive(Default)]
+/// The budget is looked at once for so many blockers.
+const BLOCKERS_BETWEEN_CHECKS: usize = 16_384;
+
+/// Widest piece of an arc that enters the grid by its chord, radians.
+const ARC_PIECE_RAD: f64 = std::f64::consts::FRAC_PI_8;
+
+/// What lies further than this beyond a blocker's limit is passed over by a quick test, millimetres: above its rounding.
+const QUICK_TEST_MARGIN_MM: f64 = 1e-8;
+
+/// Blockers in a bucket grid. Building is linear; a query looks at what lies along it.
 pub(crate) struct Obstruction {
     blockers: Vec<Blocker>,
-    trees: Vec<(usize, Bvh)>,
+    grid: Grid,
 }
 
 impl Obstruction {
-    /// Most blockers in one tree: building it stays far below the time in which a cancelled call must stop.
-    pub(crate) const TREE_SIZE: usize = 16_384;
-
-    /// Adds `blockers`.
+    /// All of `blockers`.
     ///
     /// # Errors
     /// The budget ended.
-    pub(crate) fn add(&mut self, blockers: &[Blocker], budget: &Budget) -> Result<(), Interrupt> {
-        for part in blockers.chunks(Self::TREE_SIZE) {
+    pub(crate) fn new(blockers: Vec<Blocker>, budget: &Budget) -> Result<Self, Interrupt> {
+        let mut load = Load::NONE;
+        for part in blockers.chunks(BLOCKERS_BETWEEN_CHECKS) {
             budget.check(0)?;
-            let first = self.blockers.len();
-            let leaves = part.iter().enumerate().map(|(i, blocker)| (i, aabb(&blocker.bounds())));
-            self.trees.push((first, Bvh::from_iter(BvhBuildStrategy::Binned, leaves)));
-            self.blockers.extend_from_slice(part);
+            part.iter().for_each(|blocker| pieces(blocker, |from, to, reach| load.add(from, to, reach)));
         }
-        Ok(())
+        let mut grid = Grid::new(&load);
+        for (i, blocker) in blockers.iter().enumerate() {
+            if i.is_multiple_of(BLOCKERS_BETWEEN_CHECKS) {
+                budget.check(0)?;
+            }
+            pieces(blocker, |from, to, reach| grid.insert(i as u32, from, to, reach));
+        }
+        Ok(Self { blockers, grid })
     }
 
-    /// Every blocker that blocks the move `piece`.
-    pub(crate) fn blocking<'a>(&'a self, piece: &'a Edge) -> impl Iterator<Item = &'a Blocker> + 'a {
-        self.near(piece).filter(move |blocker| blocker.blocks(piece))
+    /// Shows `visit` every blocker that blocks the straight move, roughly in order, some of them more than once, until
+    /// it breaks off.
+    pub(crate) fn blocking<'a>(&'a self, line: &Segment, mut visit: impl FnMut(&'a Blocker) -> ControlFlow<()>) {
+        let quick = QuickTest::new(line);
+        let piece = Edge::Segment(*line);
+        let _ = self.grid.along(line.start, line.end, |item| {
+            let blocker = &self.blockers[item as usize];
+            if quick.passes_over(blocker) || !blocker.blocks(&piece) {
+                return ControlFlow::Continue(());
+            }
+            visit(blocker)
+        });
     }
 
-    /// Every blocker that may block the move `piece`, and some that don't.
-    pub(crate) fn near<'a>(&'a self, piece: &'a Edge) -> impl Iterator<Item = &'a Blocker> + 'a {
-        let bounds = piece.bounds();
-        self.trees.iter().flat_map(move |(first, tree)| {
-            tree.leaves(move |node| may_meet(node, piece, &bounds))
-                .map(move |leaf| &self.blockers[first + leaf as usize])
-        })
+    /// Every blocker that may block the straight move, each once, and some that don't.
+    pub(crate) fn near(&self, line: &Segment) -> impl Iterator<Item = &Blocker> {
+        let mut found = Vec::new();
+        let _ = self.grid.along(line.start, line.end, |item| {
+            found.push(item);
+            ControlFlow::Continue(())
+        });
+        self.each(found)
     }
 
     /// The offsets of `feature` at which the planned path would come too near to some blocker: disjoint or not,
     /// each with the blocker's owner.
-    pub(crate) fn blocked_offsets<'a>(
-        &'a self,
-        feature: &'a Feature,
-    ) -> impl Iterator<Item = (f64, f64, usize)> + 'a {
+    pub(crate) fn blocked_offsets(&self, feature: &Feature) -> impl Iterator<Item = (f64, f64, usize)> {
         let circle =
             Arc::from_angles(feature.center, feature.plan_radius, feature.start_angle, feature.sweep);
-        let bounds = circle.bounds();
-        self.trees
-            .iter()
-            .flat_map(move |(first, tree)| {
-                tree.leaves(move |node| overlaps(node, &bounds))
-                    .map(move |leaf| &self.blockers[first + leaf as usize])
-            })
-            .flat_map(move |blocker| {
-                blocked_by(feature, blocker).into_iter().map(move |(from, to)| (from, to, blocker.owner))
-            })
+        let mut found = Vec::new();
+        let _ = self.grid.within(&circle.bounds(), |item| {
+            found.push(item);
+            ControlFlow::Continue(())
+        });
+        self.each(found).flat_map(|blocker| {
+            blocked_by(feature, blocker).into_iter().map(|(from, to)| (from, to, blocker.owner))
+        })
+    }
+
+    fn each(&self, mut items: Vec<u32>) -> impl Iterator<Item = &Blocker> {
+        items.sort_unstable();
+        items.dedup();
+        items.into_iter().map(|item| &self.blockers[item as usize])
+    }
+}
+
+/// The thick segments that hold all that a blocker forbids.
+fn pieces(blocker: &Blocker, mut add: impl FnMut(Point, Point, f64)) {
+    match &blocker.edge {
+        Edge::Segment(segment) => add(segment.start, segment.end, blocker.limit),
+        Edge::Arc(arc) => {
+            let count = (arc.sweep.abs() / ARC_PIECE_RAD).ceil().max(1.0);
+            let sagitta = arc.radius * (1.0 - (arc.sweep.abs() / count / 2.0).cos());
+            let mut from = arc.start;
+            for piece in 1..=count as usize {
+                let to = arc.point_at(piece as f64 / count);
+                add(from, to, blocker.limit + sagitta);
+                from = to;
+            }
+        }
+    }
+}
+
+/// Passes over straight blockers that lie clear of a line: beside it, before it or behind it.
+struct QuickTest {
+    start: Point,
+    along: Vector,
+    across: Vector,
+    length: f64,
+}
+
+impl QuickTest {
+    fn new(line: &Segment) -> Self {
+        let length = line.length();
+        let along = line.vector().try_normalize(0.0).unwrap_or_default();
+        Self { start: line.start, along, across: left_of(along), length }
+    }
+
+    fn passes_over(&self, blocker: &Blocker) -> bool {
+        let Edge::Segment(edge) = &blocker.edge else { return false };
+        let margin = blocker.limit + QUICK_TEST_MARGIN_MM;
+        let (a, b) = (edge.start - self.start, edge.end - self.start);
+        let (a_across, b_across) = (a.dot(&self.across), b.dot(&self.across));
+        let (a_along, b_along) = (a.dot(&self.along), b.dot(&self.along));
+        a_across.min(b_across) > margin
+            || a_across.max(b_across) < -margin
+            || a_along.min(b_along) > self.length + margin
+            || a_along.max(b_along) < -margin
     }
 }
 
@@ -121,7 +185,7 @@ fn line_offsets(feature: &Feature, start: Point, along: Vector, side: f64, cuts:
     if feature.plan_radius == 0.0 {
         return;
     }
-    let normal = traverse_geometry::left_of(along);
+    let normal = left_of(along);
     let height = normal.dot(&(feature.center - start));
     push_pair(feature, normal.y.atan2(normal.x), (side - height) / feature.plan_radius, cuts);
 }
@@ -137,29 +201,4 @@ fn push_pair(feature: &Feature, middle: f64, cosine: f64, cuts: &mut Vec<f64>) {
             cuts.push(offset);
         }
     }
-}
-
-fn aabb(bounds: &Bounds) -> Aabb {
-    Aabb::new(ParryVector::new(bounds.min.x, bounds.min.y), ParryVector::new(bounds.max.x, bounds.max.y))
-}
-
-fn overlaps(node: &BvhNode, bounds: &Bounds) -> bool {
-    let (min, max) = (node.mins(), node.maxs());
-    min.x <= bounds.max.x && bounds.min.x <= max.x && min.y <= bounds.max.y && bounds.min.y <= max.y
-}
-
-/// Whether a box may meet the move: by its own box, and by the line that a straight move runs on.
-fn may_meet(node: &BvhNode, piece: &Edge, bounds: &Bounds) -> bool {
-    if !overlaps(node, bounds) {
-        return false;
-    }
-    let Edge::Segment(segment) = piece else { return true };
-    let (min, max) = (node.mins(), node.maxs());
-    let along = segment.vector();
-    let center = Vector::new((min.x + max.x) / 2.0, (min.y + max.y) / 2.0);
-    let half = Vector::new((max.x - min.x) / 2.0, (max.y - min.y) / 2.0);
-    let distance = cross(along, center - segment.start.coords).abs();
-    let reach = half.x * along.y.abs() + half.y * along.x.abs();
-    // A relative margin far above rounding keeps the filter on the safe side.
-    distance <= reach * (1.0 + 1e-9) + along.norm() * 1e-9
 }

@@ -4,8 +4,8 @@ use crate::barrier::Feature;
 use crate::barriers::Barriers;
 use std::cell::OnceCell;
 use std::collections::{BTreeSet, HashMap};
-use std::ops::Range;
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Point, Segment, Vector};
+use std::ops::{ControlFlow, Range};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Segment, Vector};
 use traverse_solve::{Budget, Interrupt};
 
 /// The budget is looked at once for so many features.
@@ -68,6 +68,10 @@ impl<'a> Known<'a> {
         self.met[owner]
     }
 
+    pub(crate) fn feature(&self, feature: u32) -> &Feature {
+        &self.features[feature as usize]
+    }
+
     /// Meets the owner's barrier; answers its features.
     ///
     /// # Errors
@@ -94,24 +98,33 @@ impl<'a> Known<'a> {
         if from == to {
             return Way::Free;
         }
-        let piece = Edge::Segment(Segment::new(from, to));
+        let mut met = false;
         let mut nearest: Option<(f64, usize)> = None;
-        for blocker in self.barriers.whole.blocking(&piece).filter(|blocker| self.there[blocker.owner]) {
+        self.barriers.whole.blocking(&Segment::new(from, to), |blocker| {
+            if !self.there[blocker.owner] {
+                return ControlFlow::Continue(());
+            }
             if self.met[blocker.owner] {
-                return Way::Blocked;
+                met = true;
+                return ControlFlow::Break(());
             }
             let found = (blocker.edge.distance_to_point(from), blocker.owner);
             if nearest.is_none_or(|known| found < known) {
                 nearest = Some(found);
             }
+            ControlFlow::Continue(())
+        });
+        match nearest {
+            _ if met => Way::Blocked,
+            Some((_, owner)) => Way::Meets(owner),
+            None => Way::Free,
         }
-        nearest.map_or(Way::Free, |(_, owner)| Way::Meets(owner))
     }
 
     /// The feature's stretches that no barrier blocks, met or not.
-    pub(crate) fn stretches(&self, feature: usize) -> &Stretches {
-        self.free[feature].get_or_init(|| {
-            let feature = &self.features[feature];
+    pub(crate) fn stretches(&self, feature: u32) -> &Stretches {
+        self.free[feature as usize].get_or_init(|| {
+            let feature = &self.features[feature as usize];
             // A control point is no arc: whether it can be passed is decided by the moves that meet there.
             if feature.plan_radius == 0.0 {
                 return Stretches { free: vec![(0.0, feature.sweep)], blocked_by: Vec::new() };
@@ -122,13 +135,13 @@ impl<'a> Known<'a> {
     }
 
     /// Whether the feature's stretches have been worked out.
-    pub(crate) fn knows_stretches(&self, feature: usize) -> bool {
-        self.free[feature].get().is_some()
+    pub(crate) fn knows_stretches(&self, feature: u32) -> bool {
+        self.free[feature as usize].get().is_some()
     }
 
     /// The free stretch of the feature that holds `offset`, if any.
-    pub(crate) fn stretch_at(&self, feature: usize, offset: f64) -> Option<usize> {
-        let tolerance = self.features[feature].offset_tolerance();
+    pub(crate) fn stretch_at(&self, feature: u32, offset: f64) -> Option<usize> {
+        let tolerance = self.feature(feature).offset_tolerance();
         self.stretches(feature)
             .free
             .iter()
@@ -136,8 +149,9 @@ impl<'a> Known<'a> {
     }
 
     /// Other features on the same circle.
-    pub(crate) fn on_same_circle(&self, feature: usize) -> impl Iterator<Item = usize> {
-        let squares = squares_near(self.features[feature].center);
+    pub(crate) fn on_same_circle(&self, feature: u32) -> impl Iterator<Item = usize> {
+        let squares = squares_near(self.feature(feature).center);
+        let feature = feature as usize;
         let last = squares.into_iter().flatten().filter_map(|square| self.last_in.get(&square).copied());
         let all =
             last.flat_map(|last| std::iter::successors(Some(last), |&other| self.before_in_square[other]));
@@ -152,7 +166,8 @@ impl<'a> Known<'a> {
     }
 
     /// Whether a path passes from one feature to the other without a straight move.
-    pub(crate) fn goes_over(&self, one: usize, other: usize) -> bool {
+    pub(crate) fn goes_over(&self, one: u32, other: u32) -> bool {
+        let (one, other) = (one as usize, other as usize);
         let feature = &self.features[one];
         feature.after == Some(other) || feature.before == Some(other) || self.is_same_circle(one, other)
     }

@@ -1,45 +1,46 @@
-//! Labels: ways of touching a feature, and the route that they add up to.
+//! Labels: ways of touching a feature, found and not yet looked into, and the route that they add up to.
+//!
+//! There are many of them, nearly all never looked into: a label holds what can't be worked out again from the one
+//! that it came from ([`super::Stance`]).
 
 use crate::barrier::Side;
-use traverse_geometry::{Point, Vector};
+use traverse_geometry::Vector;
 
 /// Where a label is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Place {
-    /// At the start, or one of the places that stand for it.
-    Start,
-    /// At a feature, having arrived at `offset`, with its circle on that side.
-    Feature { feature: usize, side: Side, offset: f64 },
-    /// At the target, or one of the places that stand for it.
-    Target,
+    /// At this one of the places that stand for the start.
+    Start(u32),
+    /// At a feature with its circle on that side.
+    Feature(u32, Side),
+    /// At this one of the places that stand for the target.
+    Target(u32),
 }
 
-/// How a label was reached from its parent.
-#[derive(Clone, Copy, Debug)]
+/// How a label is reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     /// Not at all: a start.
     Begin,
-    /// Along a tangent, left at this offset of the parent's feature.
-    Tangent { left_at: f64 },
-    /// Without a straight move: the parent's feature goes over into this one at this offset of the parent's.
-    Over { left_at: f64 },
+    /// Along a tangent.
+    Tangent,
+    /// Without a straight move: the feature before goes over into this one.
+    Over,
 }
 
 /// One way of touching a feature, and what it costs so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label {
-    pub(crate) place: Place,
-    pub(crate) step: Step,
-    pub(crate) parent: usize,
     /// Millimetres from the start.
     pub(crate) cost: f64,
-    /// Where the planned path is: end of the planned straight move from `plan_from`.
-    pub(crate) plan_from: Point,
-    pub(crate) plan_at: Point,
-    /// Outward direction of the feature on the answered path at arrival.
-    pub(crate) spoke: Vector,
-    /// The same direction where the parent's feature was left.
-    pub(crate) left_spoke: Vector,
+    /// The offset of the feature before at which it is left.
+    pub(crate) left_at: f64,
+    /// The offset of arrival; 0 at the ends.
+    pub(crate) offset: f64,
+    pub(crate) place: Place,
+    /// The stance that it comes from; of no meaning at a start.
+    pub(crate) parent: u32,
+    pub(crate) step: Step,
 }
 
 /// One feature that a route bends round.

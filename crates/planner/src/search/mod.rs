@@ -12,6 +12,7 @@ mod label;
 mod route;
 mod settled;
 mod shortest;
+mod stance;
 mod successors;
 mod tangent;
 

@@ -1,32 +1,31 @@
 //! The route that a label adds up to.
 
 use super::Search;
-use super::label::{Place, Route, Step, Stop};
+use super::label::{Label, Place, Route, Step, Stop};
+use super::stance::From;
 
 /// The way from the start to the label `last`.
-pub(super) fn route(search: &Search<'_>, last: usize) -> Route {
+pub(super) fn route(search: &Search<'_>, last: &Label) -> Route {
     let mut stops = Vec::new();
-    let mut index = last;
-    loop {
-        let label = &search.labels[index];
-        let left = match label.step {
-            Step::Begin => break,
-            Step::Tangent { left_at } | Step::Over { left_at } => left_at,
-        };
-        let parent = &search.labels[label.parent];
-        if let (Place::Feature { feature, side, .. }, Some(departure)) =
-            (parent.place, search.departure(parent))
+    let mut label = *last;
+    while label.step != Step::Begin {
+        let parent = &search.stances[label.parent as usize];
+        if let (Place::Feature(feature, side), From::Feature(departure)) = (parent.label.place, &parent.from)
         {
+            let spoke_out = search.leg(&label).map_or_else(
+                || departure.circle.direction_at(label.left_at),
+                |leg| parent.from.spoke_along(&leg),
+            );
             stops.push(Stop {
-                feature,
+                feature: feature as usize,
                 side,
-                spoke_in: parent.spoke,
-                spoke_out: label.left_spoke,
-                turned: departure.turned(left, label.left_spoke),
+                spoke_in: departure.spoke,
+                spoke_out,
+                turned: departure.turned(label.left_at, spoke_out),
             });
         }
-        index = label.parent;
+        label = parent.label;
     }
     stops.reverse();
-    Route { cost: search.labels[last].cost, stops }
+    Route { cost: last.cost, stops }
 }

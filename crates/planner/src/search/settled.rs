@@ -9,7 +9,7 @@ const COST_TOLERANCE_MM: f64 = 1e-12;
 /// Where on which feature, as far as labels can be compared: on one side, within one free stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Lane {
-    pub(super) feature: usize,
+    pub(super) feature: u32,
     pub(super) side: Side,
     pub(super) stretch: usize,
 }

@@ -15,13 +15,14 @@
 use super::label::{Label, Place, Route, Step};
 use super::route::route;
 use super::settled::{Lane, Settled};
+use super::stance::{From, Stance};
 use super::{End, Known};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use traverse_geometry::Vector;
+use traverse_geometry::Point;
 use traverse_solve::{Budget, Interrupt, Observer};
 
-/// Most labels of one search: about 160 MB. Giving back more would take longer than a cancelled call may go on.
+/// Most labels of one search: about 60 MB. Giving back more would take longer than a cancelled call may go on.
 const LABEL_LIMIT: usize = 1_000_000;
 
 /// An order of costs for the heap; costs are finite and not negative, so their bits sort as they do.
@@ -32,11 +33,11 @@ pub(crate) struct Search<'a> {
     pub(super) start: &'a End,
     pub(super) target: &'a End,
     pub(crate) known: Known<'a>,
-    pub(super) labels: Vec<Label>,
-    /// Labels that were expanded, in order.
-    expanded: Vec<usize>,
+    labels: Vec<Label>,
+    /// Labels that were looked into, in order.
+    pub(super) stances: Vec<Stance>,
     /// Lowest estimate first; the later label of equals, which is nearer to the target.
-    open: BinaryHeap<Reverse<(Priority, Reverse<usize>, usize)>>,
+    open: BinaryHeap<(Reverse<Priority>, u32)>,
     pub(super) settled: Settled,
     /// No path costs less, millimetres.
     pub(crate) lower_bound: f64,
@@ -50,22 +51,21 @@ impl<'a> Search<'a> {
             target,
             known,
             labels: Vec::new(),
-            expanded: Vec::new(),
+            stances: Vec::new(),
             open: BinaryHeap::new(),
             settled: Settled::default(),
             lower_bound: 0.0,
         };
-        for &place in &start.places {
-            search.push(Label {
-                place: Place::Start,
-                step: Step::Begin,
-                parent: usize::MAX,
+        for place in 0..start.places.len() as u32 {
+            let label = Label {
                 cost: 0.0,
-                plan_from: place,
-                plan_at: place,
-                spoke: Vector::zeros(),
-                left_spoke: Vector::zeros(),
-            });
+                left_at: 0.0,
+                offset: 0.0,
+                place: Place::Start(place),
+                parent: 0,
+                step: Step::Begin,
+            };
+            search.push(label, start.point);
         }
         search
     }
@@ -83,75 +83,70 @@ impl<'a> Search<'a> {
     ) -> Result<Option<Route>, Interrupt> {
         let mut told = 0.0;
         let mut known = 0;
-        while let Some(Reverse((estimate, _, index))) = self.open.pop() {
+        while let Some((Reverse(estimate), index)) = self.open.pop() {
             budget.check(*steps)?;
             self.lower_bound = self.lower_bound.max(f64::from_bits(estimate));
             if self.known.features.len() > known && self.lower_bound > told {
                 (known, told) = (self.known.features.len(), self.lower_bound);
                 observer.better_bound(told);
             }
-            let label = self.labels[index];
+            let label = self.labels[index as usize];
             if self.is_served(&label) || !self.is_free(&label, budget)? {
                 continue;
             }
-            match label.place {
-                Place::Target => return Ok(Some(route(self, index))),
-                Place::Feature { feature, offset, .. } => {
+            let from = match label.place {
+                Place::Target(_) => return Ok(Some(route(self, &label))),
+                Place::Start(place) => From::Start(self.start.places[place as usize]),
+                Place::Feature(feature, _) => {
                     self.meet_beside(feature, budget)?;
-                    let Some(lane) = self.lane(&label) else { continue };
                     if self.is_served(&label) {
                         continue;
                     }
-                    self.settled.add(lane, offset, label.cost);
+                    let Some(departure) = self.departure(&label) else { continue };
+                    self.settled.add(departure.lane, label.offset, label.cost);
+                    From::Feature(departure)
                 }
-                Place::Start => {}
-            }
+            };
             *steps += 1;
-            self.expanded.push(index);
-            self.reach_for_target(index);
-            self.connect(index, 0..self.known.features.len(), budget)?;
+            let stance = self.stances.len() as u32;
+            self.stances.push(Stance { label, from });
+            self.reach_for_target(stance);
+            self.connect(stance, 0..self.known.features.len(), budget)?;
         }
         Ok(None)
     }
 
-    pub(super) fn push(&mut self, label: Label) {
+    /// Adds a label whose place on the answered path is `at`.
+    pub(super) fn push(&mut self, label: Label, at: Point) {
         if self.is_served(&label) {
             return;
         }
-        let at = match label.place {
-            Place::Start => self.start.point,
-            Place::Target => self.target.point,
-            Place::Feature { feature, .. } => {
-                let feature = &self.known.features[feature];
-                feature.center + label.spoke * feature.price_radius
-            }
-        };
         let estimate = label.cost + (self.target.point - at).norm();
-        let index = self.labels.len();
+        self.open.push((Reverse(estimate.to_bits()), self.labels.len() as u32));
         self.labels.push(label);
-        self.open.push(Reverse((estimate.to_bits(), Reverse(index), index)));
     }
 
-    /// Whether a label that was expanded before does all that this one could, at no higher cost.
+    /// Whether a label that was looked into before does all that this one could, at no higher cost.
     fn is_served(&self, label: &Label) -> bool {
-        let Place::Feature { feature, offset, .. } = label.place else { return false };
+        let Place::Feature(feature, _) = label.place else { return false };
         if !self.known.knows_stretches(feature) {
             return false;
         }
-        let radius = self.known.features[feature].price_radius;
-        self.lane(label).is_none_or(|lane| self.settled.serves(lane, radius, offset, label.cost))
+        let radius = self.known.feature(feature).price_radius;
+        self.lane(label).is_none_or(|lane| self.settled.serves(lane, radius, label.offset, label.cost))
     }
 
     /// The lane of a label at a feature; none where the arc is blocked.
     pub(super) fn lane(&self, label: &Label) -> Option<Lane> {
-        let Place::Feature { feature, side, offset } = label.place else { return None };
-        let stretch = self.known.stretch_at(feature, offset)?;
+        let Place::Feature(feature, side) = label.place else { return None };
+        let stretch = self.known.stretch_at(feature, label.offset)?;
         Some(Lane { feature, side, stretch })
     }
 
     /// Whether nothing is in the way of the straight move that leads to the label. Meets what is.
     fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
-        match self.known.way(label.plan_from, label.plan_at) {
+        let Some(leg) = self.leg(label) else { return Ok(true) };
+        match self.known.way(leg.planned.from, leg.planned.to) {
             super::Way::Free => Ok(true),
             super::Way::Blocked => Ok(false),
             super::Way::Meets(owner) => self.meet(owner, budget).map(|()| false),
@@ -159,7 +154,7 @@ impl<'a> Search<'a> {
     }
 
     /// Meets the barriers that block the feature's arc.
-    fn meet_beside(&mut self, feature: usize, budget: &Budget) -> Result<(), Interrupt> {
+    fn meet_beside(&mut self, feature: u32, budget: &Budget) -> Result<(), Interrupt> {
         if self.known.knows_stretches(feature) {
             return Ok(());
         }
@@ -171,11 +166,11 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// Meets a barrier and offers its features to every label that was expanded.
+    /// Meets a barrier and offers its features to every stance.
     fn meet(&mut self, owner: usize, budget: &Budget) -> Result<(), Interrupt> {
         let features = self.known.meet(owner, budget)?;
-        for place in 0..self.expanded.len() {
-            self.connect(self.expanded[place], features.clone(), budget)?;
+        for stance in 0..self.stances.len() as u32 {
+            self.connect(stance, features.clone(), budget)?;
         }
         if self.labels.len() > LABEL_LIMIT { Err(Interrupt::Memory) } else { Ok(()) }
     }

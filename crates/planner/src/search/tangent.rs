@@ -23,6 +23,11 @@ pub(crate) struct Tangent {
 }
 
 impl Tangent {
+    /// From a point to itself.
+    pub(crate) fn nowhere(at: Point) -> Self {
+        Self { from: at, to: at, normal: Vector::zeros(), length: 0.0, angle_error: 0.0 }
+    }
+
     /// The tangent from the circle at `c1` to the circle at `c2` with signed radii. None: the circles lie inside
     /// each other, or overlap where an inner tangent is asked for, by more than the contact tolerance; or the
     /// centres are the same.
