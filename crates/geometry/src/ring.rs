@@ -12,6 +12,8 @@ pub struct Ring {
     /// Empty when every edge is straight, otherwise one per vertex.
     bulges: Vec<f64>,
     touches_itself: bool,
+    counter_clockwise: bool,
+    bounds: Bounds,
 }
 
 impl Ring {
@@ -19,7 +21,11 @@ impl Ring {
     pub(crate) fn trusted(vertices: Vec<Point>, bulges: Vec<f64>, touches_itself: bool) -> Self {
         debug_assert!(bulges.is_empty() || bulges.len() == vertices.len());
         debug_assert!(vertices.len() >= if bulges.is_empty() { 3 } else { 2 });
-        Self { vertices, bulges, touches_itself }
+        let mut ring =
+            Self { vertices, bulges, touches_itself, counter_clockwise: true, bounds: Bounds::EMPTY };
+        ring.counter_clockwise = ring.signed_area() > 0.0;
+        ring.bounds = ring.edges().fold(Bounds::EMPTY, |bounds, edge| bounds.union(edge.bounds()));
+        ring
     }
 
     /// The vertices, in order, the first not repeated.
@@ -75,10 +81,10 @@ impl Ring {
         crate::area::signed_area(self.edges()).0
     }
 
-    /// Whether the ring runs counter-clockwise. Cost: linear.
+    /// Whether the ring runs counter-clockwise. Known since validation: costs nothing.
     #[must_use]
     pub fn is_counter_clockwise(&self) -> bool {
-        self.signed_area() > 0.0
+        self.counter_clockwise
     }
 
     /// The same ring run the other way, from the same first vertex.
@@ -91,7 +97,7 @@ impl Ring {
         } else {
             (0..n).map(|i| -self.bulges[n - 1 - i]).collect()
         };
-        Self { vertices, bulges, touches_itself: self.touches_itself }
+        Self { vertices, bulges, counter_clockwise: !self.counter_clockwise, ..*self }
     }
 
     /// Whether any two edges touch that do not follow each other, or an edge turns back along the one before it
@@ -102,9 +108,9 @@ impl Ring {
         self.touches_itself
     }
 
-    /// Bounding box.
+    /// Bounding box. Known since validation: costs nothing.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        self.edges().fold(Bounds::EMPTY, |bounds, edge| bounds.union(edge.bounds()))
+        self.bounds
     }
 }

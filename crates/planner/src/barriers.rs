@@ -23,14 +23,17 @@ impl<'a> Barriers<'a> {
         let obstacles = scene.obstacles.iter().map(|obstacle| material_left(&obstacle.shape, true));
         let border = scene.work_area.iter().map(|area| material_left(area, false));
         let rings = obstacles.chain(border).collect();
-        let whole = Obstruction::new(Vec::new(), budget)?;
+        let whole = Obstruction::new(Vec::new(), &[], budget)?;
         let mut barriers = Self { scene, rings, whole };
-        let mut blockers = Vec::new();
+        let (mut blockers, mut ends) = (Vec::new(), Vec::new());
         for owner in 0..barriers.owner_count() {
             budget.check(0)?;
-            barriers.outlines(owner).for_each(|outline| outline.add_blockers(&mut blockers));
+            for outline in barriers.outlines(owner) {
+                outline.add_blockers(&mut blockers);
+                ends.push(blockers.len());
+            }
         }
-        barriers.whole = Obstruction::new(blockers, budget)?;
+        barriers.whole = Obstruction::new(blockers, &ends, budget)?;
         Ok(barriers)
     }
 

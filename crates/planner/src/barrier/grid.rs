@@ -1,4 +1,4 @@
-//! A flat bucket grid over thick segments: which of them may lie near a straight line, in order along it.
+//! A flat bucket grid over boxes and thick segments: which of them may lie near a straight line, in order along it.
 //!
 //! Every cell holds the list of the items that reach into it. Lists are linked, so items come and go at any time; an
 //! item that is gone is the caller's to pass over. The cells' proportions follow the items' directions, so that a comb
@@ -38,11 +38,11 @@ impl Load {
     pub(crate) const NONE: Self =
         Self { bounds: Bounds::EMPTY, count: 0.0, across: Vector::new(0.0, 0.0), reach: 0.0 };
 
-    /// Adds the thick segment from `from` to `to`.
-    pub(crate) fn add(&mut self, from: Point, to: Point, reach: f64) {
-        self.bounds = self.bounds.with(from).with(to);
+    /// Adds a box grown by `reach`.
+    pub(crate) fn add(&mut self, bounds: &Bounds, reach: f64) {
+        self.bounds = self.bounds.union(*bounds);
         self.count += 1.0;
-        self.across += (to - from).abs();
+        self.across += bounds.size();
         self.reach += reach;
     }
 }
@@ -121,11 +121,35 @@ impl Grid {
         }
         for row in self.rows_between(from, to, reach) {
             for column in self.columns_in(row, from, to, reach) {
-                let first = &mut self.first[row * self.columns + column];
-                self.entries.push(Entry { item, next: *first });
-                *first = self.entries.len() as u32 - 1;
+                self.enter(row, column, item);
             }
         }
+    }
+
+    /// How many cells a box grown by `reach` would enter.
+    pub(crate) fn cells_of(&self, bounds: &Bounds, reach: f64) -> f64 {
+        let size = bounds.size() + Vector::repeat(2.0 * reach);
+        (size.x * self.per_cell.x + 1.0) * (size.y * self.per_cell.y + 1.0)
+    }
+
+    /// Adds a box grown by `reach` as `item`.
+    pub(crate) fn insert_box(&mut self, item: u32, bounds: &Bounds, reach: f64) {
+        if !self.holds(bounds.min, reach) || !self.holds(bounds.max, reach) {
+            self.outside.push(item);
+            return;
+        }
+        let (columns, rows) = self.cells_in(&bounds.grown(reach));
+        for row in rows {
+            for column in columns.clone() {
+                self.enter(row, column, item);
+            }
+        }
+    }
+
+    fn enter(&mut self, row: usize, column: usize, item: u32) {
+        let first = &mut self.first[row * self.columns + column];
+        self.entries.push(Entry { item, next: *first });
+        *first = self.entries.len() as u32 - 1;
     }
 
     fn holds(&self, p: Point, reach: f64) -> bool {
@@ -164,9 +188,9 @@ impl Grid {
         for &item in &self.outside {
             visit(item)?;
         }
-        let (min, max) = (bounds.min, bounds.max);
-        for row in self.rows_between(min, max, 0.0) {
-            for column in cells_between(min.x - self.min.x, max.x - self.min.x, self.rounding, self.per_cell.x, self.columns) {
+        let (columns, rows) = self.cells_in(bounds);
+        for row in rows {
+            for column in columns.clone() {
                 self.visit_cell(row, column, &mut visit)?;
             }
         }
@@ -185,6 +209,15 @@ impl Grid {
             at = entry.next;
         }
         ControlFlow::Continue(())
+    }
+
+    /// The columns and rows that a box reaches into.
+    fn cells_in(&self, bounds: &Bounds) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
+        let (min, max) = (bounds.min - self.min, bounds.max - self.min);
+        (
+            cells_between(min.x, max.x, self.rounding, self.per_cell.x, self.columns),
+            cells_between(min.y, max.y, self.rounding, self.per_cell.y, self.rows),
+        )
     }
 
     fn rows_between(&self, from: Point, to: Point, reach: f64) -> RangeInclusive<usize> {
@@ -237,18 +270,28 @@ mod tests {
     fn nothing_near_a_line_is_missed() {
         for seed in 0..200 {
             let mut random = Seed(seed).stream();
-            let spread = Vector::new(10f64.powf(random.random_range(-2.0..3.0)), 10f64.powf(random.random_range(-2.0..3.0)));
+            let spread = Vector::new(
+                10f64.powf(random.random_range(-2.0..3.0)),
+                10f64.powf(random.random_range(-2.0..3.0)),
+            );
             let mut at = |far: f64| {
-                Point::new(random.random_range(-far..far) * spread.x, random.random_range(-far..far) * spread.y)
+                Point::new(
+                    random.random_range(-far..far) * spread.x,
+                    random.random_range(-far..far) * spread.y,
+                )
             };
             let items: Vec<(Point, Point, f64)> =
                 (0..60).map(|i| (at(1.0), at(1.0), [0.0, 1e-6, 0.5, 3.0][i % 4])).collect();
             let mut load = Load::NONE;
             // Half of them come later and may lie outside.
-            items[..30].iter().for_each(|&(from, to, reach)| load.add(from, to, reach));
+            items[..30].iter().for_each(|&(from, to, reach)| load.add(&Bounds::of([from, to]), reach));
             let mut grid = Grid::new(&load);
             for (i, &(from, to, reach)) in items.iter().enumerate() {
-                grid.insert(i as u32, from, to, reach);
+                if i % 3 == 0 {
+                    grid.insert_box(i as u32, &Bounds::of([from, to]), reach);
+                } else {
+                    grid.insert(i as u32, from, to, reach);
+                }
             }
             for _ in 0..60 {
                 let (from, to) = (at(1.5), at(1.5));
@@ -277,7 +320,7 @@ mod tests {
     fn a_break_ends_the_visit() {
         let mut load = Load::NONE;
         let (from, to) = (Point::new(0.0, 0.0), Point::new(1.0, 1.0));
-        load.add(from, to, 0.1);
+        load.add(&Bounds::of([from, to]), 0.1);
         let mut grid = Grid::new(&load);
         grid.insert(0, from, to, 0.1);
         grid.insert(1, from, to, 0.1);

@@ -3,11 +3,11 @@
 use super::{Blocker, Feature, Grid, Load};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-use traverse_geometry::{Arc, Edge, Point, Segment, Vector, left_of, positive_angle};
+use traverse_geometry::{Arc, Bounds, Edge, Point, Segment, Vector, left_of, positive_angle};
 use traverse_solve::{Budget, Interrupt};
 
-/// The budget is looked at once for so many blockers.
-const BLOCKERS_BETWEEN_CHECKS: usize = 16_384;
+/// The budget is looked at once for so many runs.
+const RUNS_BETWEEN_CHECKS: usize = 2048;
 
 /// Widest piece of an arc that enters the grid by its chord, radians.
 const ARC_PIECE_RAD: f64 = std::f64::consts::FRAC_PI_8;
@@ -15,44 +15,100 @@ const ARC_PIECE_RAD: f64 = std::f64::consts::FRAC_PI_8;
 /// What lies further than this beyond a blocker's limit is passed over by a quick test, millimetres: above its rounding.
 const QUICK_TEST_MARGIN_MM: f64 = 1e-8;
 
+/// Most blockers in a run.
+const RUN_LENGTH: usize = 8;
+
+/// A run whose box would enter more cells than this enters the grid blocker by blocker.
+const RUN_CELLS: f64 = 16.0;
+
 /// Blockers in a bucket grid. Building is linear; a query looks at what lies along it.
 pub(crate) struct Obstruction {
     blockers: Vec<Blocker>,
+    runs: Vec<Run>,
     grid: Grid,
 }
 
+/// Neighbouring blockers: what the grid holds.
+#[derive(Clone, Copy)]
+struct Run {
+    first: u32,
+    end: u32,
+    /// What they can reach.
+    bounds: Bounds,
+}
+
 impl Obstruction {
-    /// All of `blockers`.
+    /// All of `blockers`; `ends` says where each chain of neighbours ends.
     ///
     /// # Errors
     /// The budget ended.
-    pub(crate) fn new(blockers: Vec<Blocker>, budget: &Budget) -> Result<Self, Interrupt> {
+    pub(crate) fn new(blockers: Vec<Blocker>, ends: &[usize], budget: &Budget) -> Result<Self, Interrupt> {
         let mut load = Load::NONE;
-        for part in blockers.chunks(BLOCKERS_BETWEEN_CHECKS) {
-            budget.check(0)?;
-            part.iter().for_each(|blocker| pieces(blocker, |from, to, reach| load.add(from, to, reach)));
+        let mut runs: Vec<(Run, f64)> = Vec::with_capacity(ends.len() + blockers.len() / RUN_LENGTH);
+        let mut first = 0;
+        for &end in ends {
+            while first < end {
+                let run_end = end.min(first + RUN_LENGTH);
+                if runs.len().is_multiple_of(RUNS_BETWEEN_CHECKS) {
+                    budget.check(0)?;
+                }
+                let part = &blockers[first..run_end];
+                let bounds =
+                    part.iter().fold(Bounds::EMPTY, |bounds, blocker| bounds.union(blocker.edge.bounds()));
+                let reach = part.iter().fold(0.0_f64, |reach, blocker| reach.max(blocker.limit));
+                load.add(&bounds, reach);
+                runs.push((Run { first: first as u32, end: run_end as u32, bounds }, reach));
+                first = run_end;
+            }
         }
-        let mut grid = Grid::new(&load);
-        for (i, blocker) in blockers.iter().enumerate() {
-            if i.is_multiple_of(BLOCKERS_BETWEEN_CHECKS) {
+        let grid = Grid::new(&load);
+        let mut obstruction = Self { blockers, runs: Vec::with_capacity(runs.len()), grid };
+        for (i, (run, reach)) in runs.into_iter().enumerate() {
+            if i.is_multiple_of(RUNS_BETWEEN_CHECKS) {
                 budget.check(0)?;
             }
-            pieces(blocker, |from, to, reach| grid.insert(i as u32, from, to, reach));
+            obstruction.insert(run, reach);
         }
-        Ok(Self { blockers, grid })
+        Ok(obstruction)
+    }
+
+    fn insert(&mut self, run: Run, reach: f64) {
+        if self.grid.cells_of(&run.bounds, reach) <= RUN_CELLS {
+            self.grid.insert_box(self.runs.len() as u32, &run.bounds, reach);
+            self.runs.push(Run { bounds: run.bounds.grown(reach), ..run });
+            return;
+        }
+        for first in run.first..run.end {
+            let blocker = &self.blockers[first as usize];
+            let (item, grid) = (self.runs.len() as u32, &mut self.grid);
+            pieces(blocker, |from, to, reach| grid.insert(item, from, to, reach));
+            let bounds = blocker.edge.bounds().grown(blocker.limit);
+            self.runs.push(Run { first, end: first + 1, bounds });
+        }
     }
 
     /// Shows `visit` every blocker that blocks the straight move, roughly in order, some of them more than once, until
     /// it breaks off.
-    pub(crate) fn blocking<'a>(&'a self, line: &Segment, mut visit: impl FnMut(&'a Blocker) -> ControlFlow<()>) {
+    pub(crate) fn blocking<'a>(
+        &'a self,
+        line: &Segment,
+        mut visit: impl FnMut(&'a Blocker) -> ControlFlow<()>,
+    ) {
         let quick = QuickTest::new(line);
         let piece = Edge::Segment(*line);
+        let mut last = u32::MAX;
         let _ = self.grid.along(line.start, line.end, |item| {
-            let blocker = &self.blockers[item as usize];
-            if quick.passes_over(blocker) || !blocker.blocks(&piece) {
+            let run = &self.runs[item as usize];
+            if item == last || quick.passes_box(&run.bounds) {
                 return ControlFlow::Continue(());
             }
-            visit(blocker)
+            last = item;
+            for blocker in &self.blockers[run.first as usize..run.end as usize] {
+                if !quick.passes_over(blocker) && blocker.blocks(&piece) {
+                    visit(blocker)?;
+                }
+            }
+            ControlFlow::Continue(())
         });
     }
 
@@ -84,7 +140,8 @@ impl Obstruction {
     fn each(&self, mut items: Vec<u32>) -> impl Iterator<Item = &Blocker> {
         items.sort_unstable();
         items.dedup();
-        items.into_iter().map(|item| &self.blockers[item as usize])
+        let blockers = |run: &Run| &self.blockers[run.first as usize..run.end as usize];
+        items.into_iter().flat_map(move |item| blockers(&self.runs[item as usize]))
     }
 }
 
@@ -118,6 +175,13 @@ impl QuickTest {
         let length = line.length();
         let along = line.vector().try_normalize(0.0).unwrap_or_default();
         Self { start: line.start, along, across: left_of(along), length }
+    }
+
+    fn passes_box(&self, bounds: &Bounds) -> bool {
+        let center = bounds.center() - self.start;
+        let half = bounds.size() / 2.0;
+        let reach = half.x * self.across.x.abs() + half.y * self.across.y.abs();
+        center.dot(&self.across).abs() > reach + QUICK_TEST_MARGIN_MM
     }
 
     fn passes_over(&self, blocker: &Blocker) -> bool {

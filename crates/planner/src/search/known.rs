@@ -1,9 +1,11 @@
 //! The barriers that a search has met so far. Those that it has not met bend no path; they block all the same.
 
+use super::sector::Sector;
 use crate::barrier::Feature;
 use crate::barriers::Barriers;
+use rustc_hash::FxHashMap;
 use std::cell::OnceCell;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
 use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Segment, Vector};
 use traverse_solve::{Budget, Interrupt};
@@ -20,11 +22,13 @@ pub(crate) struct Known<'a> {
     met: Vec<bool>,
     /// Features of what was met.
     pub(crate) features: Vec<Feature>,
+    /// Their directions, for the quick test.
+    sectors: Vec<Sector>,
     /// Per feature the stretches of its range that nothing blocks, worked out when first asked for.
     free: Vec<OnceCell<Stretches>>,
     /// The last feature of each millimetre square that a centre lies in, and for every feature the one before it in
     /// its square.
-    last_in: HashMap<[i64; 2], usize>,
+    last_in: FxHashMap<[i64; 2], usize>,
     before_in_square: Vec<Option<usize>>,
 }
 
@@ -53,8 +57,9 @@ impl<'a> Known<'a> {
             there: (0..owners).map(|owner| !left_out.contains(&owner)).collect(),
             met: vec![false; owners],
             features: Vec::new(),
+            sectors: Vec::new(),
             free: Vec::new(),
-            last_in: HashMap::new(),
+            last_in: FxHashMap::default(),
             before_in_square: Vec::new(),
         }
     }
@@ -72,6 +77,10 @@ impl<'a> Known<'a> {
         &self.features[feature as usize]
     }
 
+    pub(super) fn sector(&self, feature: u32) -> &Sector {
+        &self.sectors[feature as usize]
+    }
+
     /// Meets the owner's barrier; answers its features.
     ///
     /// # Errors
@@ -86,6 +95,7 @@ impl<'a> Known<'a> {
             if feature % FEATURES_BETWEEN_CHECKS == 0 {
                 budget.check(0)?;
             }
+            self.sectors.push(Sector::of(&self.features[feature]));
             let before = self.last_in.insert(square_of(self.features[feature].center), feature);
             self.before_in_square.push(before);
         }

@@ -10,6 +10,7 @@ mod end;
 mod known;
 mod label;
 mod route;
+mod sector;
 mod settled;
 mod shortest;
 mod stance;

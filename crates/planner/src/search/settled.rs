@@ -1,29 +1,41 @@
-//! Labels that were expanded, and what they make idle.
+//! Labels that were looked into, and what they make idle.
 
 use crate::barrier::Side;
-use std::collections::HashMap;
 
 /// Costs that differ by less than this are equal, millimetres: rounding, far below what is promised.
 const COST_TOLERANCE_MM: f64 = 1e-12;
 
 /// Where on which feature, as far as labels can be compared: on one side, within one free stretch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lane {
     pub(super) feature: u32,
     pub(super) side: Side,
     pub(super) stretch: usize,
 }
 
-/// Offsets and costs of expanded labels per lane.
+/// A label that was looked into.
+#[derive(Clone, Copy)]
+struct Paid {
+    stretch: u32,
+    offset: f64,
+    cost: f64,
+}
+
+/// Offsets and costs of labels that were looked into, per feature and side.
 #[derive(Default)]
-pub(super) struct Settled(HashMap<Lane, Vec<(f64, f64)>>);
+pub(super) struct Settled(Vec<[Vec<Paid>; 2]>);
 
 impl Settled {
     pub(super) fn add(&mut self, lane: Lane, offset: f64, cost: f64) {
-        self.0.entry(lane).or_default().push((offset, cost));
+        let feature = lane.feature as usize;
+        if self.0.len() <= feature {
+            self.0.resize_with(feature + 1, Default::default);
+        }
+        let paid = Paid { stretch: lane.stretch as u32, offset, cost };
+        self.0[feature][lane.side as usize].push(paid);
     }
 
-    /// Whether an expanded label, going on along the arc of `radius`, is at `offset` for no more than `cost`.
+    /// Whether a settled label, going on along the arc of `radius`, is at `offset` for no more than `cost`.
     pub(super) fn serves(&self, lane: Lane, radius: f64, offset: f64, cost: f64) -> bool {
         self.any(lane, radius, offset, |paid| paid <= cost + COST_TOLERANCE_MM)
     }
@@ -34,11 +46,10 @@ impl Settled {
     }
 
     fn any(&self, lane: Lane, radius: f64, offset: f64, holds: impl Fn(f64) -> bool) -> bool {
-        self.0.get(&lane).is_some_and(|settled| {
-            settled.iter().any(|&(from, paid)| {
-                let turn = (offset - from) * lane.side.sign();
-                turn >= 0.0 && holds(paid + radius * turn)
-            })
+        let Some(sides) = self.0.get(lane.feature as usize) else { return false };
+        sides[lane.side as usize].iter().any(|paid| {
+            let turn = (offset - paid.offset) * lane.side.sign();
+            paid.stretch == lane.stretch as u32 && turn >= 0.0 && holds(paid.cost + radius * turn)
         })
     }
 }

@@ -31,11 +31,11 @@ pub(super) struct Leg {
 }
 
 impl From {
-    /// The feature that it leaves.
-    pub(super) fn feature(&self) -> Option<u32> {
+    /// Where it stands, or the centre of what it leaves.
+    pub(super) fn center(&self) -> Point {
         match self {
-            Self::Start(_) => None,
-            Self::Feature(departure) => Some(departure.lane.feature),
+            Self::Start(at) => *at,
+            Self::Feature(departure) => departure.circle.center,
         }
     }
 

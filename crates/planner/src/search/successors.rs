@@ -4,6 +4,7 @@
 use super::Search;
 use super::departure::Departure;
 use super::label::{Label, Place, Step};
+use super::sector::Sector;
 use super::stance::{From, Leg};
 use crate::barrier::Side;
 use std::ops::Range;
@@ -32,18 +33,37 @@ impl Search<'_> {
         if let From::Feature(departure) = &from {
             self.push_over(stance, departure, &features);
         }
+        let ahead = match &from {
+            From::Start(_) => None,
+            From::Feature(departure) => Some((departure.lane.side, Sector::ahead(departure))),
+        };
         for other in features.start as u32..features.end as u32 {
             if (other as usize).is_multiple_of(FEATURES_BETWEEN_CHECKS) {
                 budget.check(0)?;
             }
-            if Some(other) == from.feature() {
-                continue;
-            }
-            for side in Side::BOTH {
+            for side in self.may_arrive(&from, ahead.as_ref(), other).into_iter().flatten() {
                 self.push_tangent(stance, &from, other, side);
             }
         }
         Ok(())
+    }
+
+    /// The sides on which a tangent from a stance may touch another feature: a quick test.
+    fn may_arrive(&self, from: &From, ahead: Option<&(Side, Sector)>, other: u32) -> [Option<Side>; 2] {
+        let there = self.known.sector(other);
+        let (between, radius) = match (from, ahead) {
+            (From::Feature(departure), Some((side, ahead))) => {
+                let between = ahead.to(there);
+                let admitted = ahead.admits(between, there.radius())[*side as usize];
+                if !admitted || departure.lane.feature == other {
+                    return [None, None];
+                }
+                (between, ahead.radius())
+            }
+            (_, _) => (there.seen_from(from.center()), 0.0),
+        };
+        let [left, right] = there.admits(between, radius);
+        [left.then_some(Side::Left), right.then_some(Side::Right)]
     }
 
     /// The label at a feature, about to leave it.
