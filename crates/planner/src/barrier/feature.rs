@@ -35,8 +35,6 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    pub(crate) const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
     /// +1 on the left, −1 on the right.
     pub(crate) fn sign(self) -> f64 {
         match self {

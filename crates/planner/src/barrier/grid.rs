@@ -106,11 +106,6 @@ impl Grid {
         }
     }
 
-    /// Whether so many items were added beyond the cells that a new grid is due.
-    pub(crate) fn is_outgrown(&self) -> bool {
-        self.outside.len() > 64
-    }
-
     /// Adds the thick segment from `from` to `to` as `item`; an item may be added in several pieces.
     pub(crate) fn insert(&mut self, item: u32, from: Point, to: Point, reach: f64) {
         if !self.holds(from, reach) || !self.holds(to, reach) {

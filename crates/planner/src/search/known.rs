@@ -38,6 +38,14 @@ pub(crate) struct Stretches {
     pub(crate) blocked_by: Vec<usize>,
 }
 
+/// A barrier that was just met.
+pub(crate) struct Met {
+    /// Its features.
+    pub(crate) features: Range<usize>,
+    /// Whether any of them lies on the circle of another.
+    pub(crate) has_same_circles: bool,
+}
+
 /// What lies in the way of a straight move.
 pub(crate) enum Way {
     /// Nothing.
@@ -81,11 +89,11 @@ impl<'a> Known<'a> {
         &self.sectors[feature as usize]
     }
 
-    /// Meets the owner's barrier; answers its features.
+    /// Meets the owner's barrier.
     ///
     /// # Errors
     /// The budget ended.
-    pub(crate) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<Range<usize>, Interrupt> {
+    pub(crate) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<Met, Interrupt> {
         let first = self.features.len();
         self.met[owner] = true;
         for outline in self.barriers.outlines(owner) {
@@ -100,7 +108,10 @@ impl<'a> Known<'a> {
             self.before_in_square.push(before);
         }
         self.free.resize_with(self.features.len(), OnceCell::new);
-        Ok(first..self.features.len())
+        let features = first..self.features.len();
+        let has_same_circles =
+            features.clone().any(|feature| self.on_same_circle(feature as u32).next().is_some());
+        Ok(Met { features, has_same_circles })
     }
 
     /// What lies in the way from `from` to `to`.

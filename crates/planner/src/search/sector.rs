@@ -30,6 +30,11 @@ impl Sector {
         Self::over(feature, 0.0, feature.sweep)
     }
 
+    /// Every direction from a point.
+    pub(super) fn all_round(center: Point) -> Self {
+        Self { center, radius: 0.0, first: Vector::zeros(), last: Vector::zeros(), wide: true }
+    }
+
     /// What is left of a feature's range for a departure.
     pub(super) fn ahead(departure: &Departure) -> Self {
         match departure.lane.side {
@@ -48,28 +53,23 @@ impl Sector {
         }
     }
 
-    /// Whether a way along `between`, from or to the centre, may run along the sector's circle on each side, when it
-    /// touches another circle of `radius` at its other end: on the left, on the right.
-    pub(super) fn admits(&self, between: Vector, radius: f64) -> [bool; 2] {
-        if self.wide {
-            return [true, true];
+    /// On which sides a tangent that leaves this sector's circle on `side` may touch the circle of `other`: left, right.
+    pub(super) fn may_reach(&self, side: Side, other: &Self) -> [Option<Side>; 2] {
+        let between = other.center - self.center;
+        let slack = self.radius + other.radius + SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs());
+        if !self.admits(between, slack)[side as usize] {
+            return [None, None];
         }
-        let slack = self.radius + radius + SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs());
+        let [left, right] = other.admits(between, slack);
+        [left.then_some(Side::Left), right.then_some(Side::Right)]
+    }
+
+    /// Whether a way along `between` runs along the circle within the range, on the left and on the right.
+    fn admits(&self, between: Vector, slack: f64) -> [bool; 2] {
         let (after_first, before_last) = (cross(self.first, between), cross(between, self.last));
-        [after_first >= -slack && before_last >= -slack, after_first <= slack && before_last <= slack]
-    }
-
-    /// From the centre to another one's.
-    pub(super) fn to(&self, other: &Self) -> Vector {
-        other.center - self.center
-    }
-
-    /// From a point to the centre.
-    pub(super) fn seen_from(&self, point: Point) -> Vector {
-        self.center - point
-    }
-
-    pub(super) fn radius(&self) -> f64 {
-        self.radius
+        [
+            self.wide || after_first >= -slack && before_last >= -slack,
+            self.wide || after_first <= slack && before_last <= slack,
+        ]
     }
 }

@@ -14,9 +14,11 @@
 
 use super::label::{Label, Place, Route, Step};
 use super::route::route;
+use super::sector::Sector;
 use super::settled::{Lane, Settled};
 use super::stance::{From, Stance};
 use super::{End, Known};
+use crate::barrier::Side;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use traverse_geometry::Point;
@@ -24,6 +26,12 @@ use traverse_solve::{Budget, Interrupt, Observer};
 
 /// Most labels of one search: about 60 MB. Giving back more would take longer than a cancelled call may go on.
 const LABEL_LIMIT: usize = 1_000_000;
+
+/// Barriers of so few features are offered to many stances between two looks at the budget.
+const SMALL_BARRIER: usize = 64;
+
+/// The budget is looked at once for so many stances.
+const STANCES_BETWEEN_CHECKS: u32 = 256;
 
 /// An order of costs for the heap; costs are finite and not negative, so their bits sort as they do.
 type Priority = u64;
@@ -36,6 +44,8 @@ pub(crate) struct Search<'a> {
     labels: Vec<Label>,
     /// Labels that were looked into, in order.
     pub(super) stances: Vec<Stance>,
+    /// Where each of them may still go, and with its circle on which side.
+    pub(super) ahead: Vec<(Side, Sector)>,
     /// Lowest estimate first; the later label of equals, which is nearer to the target.
     open: BinaryHeap<(Reverse<Priority>, u32)>,
     pub(super) settled: Settled,
@@ -52,6 +62,7 @@ impl<'a> Search<'a> {
             known,
             labels: Vec::new(),
             stances: Vec::new(),
+            ahead: Vec::new(),
             open: BinaryHeap::new(),
             settled: Settled::default(),
             lower_bound: 0.0,
@@ -109,6 +120,10 @@ impl<'a> Search<'a> {
             };
             *steps += 1;
             let stance = self.stances.len() as u32;
+            self.ahead.push(match &from {
+                From::Start(at) => (Side::Left, Sector::all_round(*at)),
+                From::Feature(departure) => (departure.lane.side, Sector::ahead(departure)),
+            });
             self.stances.push(Stance { label, from });
             self.reach_for_target(stance);
             self.connect(stance, 0..self.known.features.len(), budget)?;
@@ -168,9 +183,17 @@ impl<'a> Search<'a> {
 
     /// Meets a barrier and offers its features to every stance.
     fn meet(&mut self, owner: usize, budget: &Budget) -> Result<(), Interrupt> {
-        let features = self.known.meet(owner, budget)?;
+        let met = self.known.meet(owner, budget)?;
+        let is_small = met.features.len() <= SMALL_BARRIER && !met.has_same_circles;
         for stance in 0..self.stances.len() as u32 {
-            self.connect(stance, features.clone(), budget)?;
+            if is_small {
+                self.push_tangents(stance, met.features.clone());
+            } else {
+                self.connect(stance, met.features.clone(), budget)?;
+            }
+            if stance.is_multiple_of(STANCES_BETWEEN_CHECKS) {
+                budget.check(0)?;
+            }
         }
         if self.labels.len() > LABEL_LIMIT { Err(Interrupt::Memory) } else { Ok(()) }
     }

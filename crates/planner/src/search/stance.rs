@@ -31,14 +31,6 @@ pub(super) struct Leg {
 }
 
 impl From {
-    /// Where it stands, or the centre of what it leaves.
-    pub(super) fn center(&self) -> Point {
-        match self {
-            Self::Start(at) => *at,
-            Self::Feature(departure) => departure.circle.center,
-        }
-    }
-
     /// Straight to `circle`, which lies on `side`, for a path from `start`.
     pub(super) fn leg_to(&self, circle: &Feature, side: Side, start: Point) -> Option<Leg> {
         let planned = self.planned(circle.center, circle.plan_radius * side.sign())?;

@@ -4,7 +4,6 @@
 use super::Search;
 use super::departure::Departure;
 use super::label::{Label, Place, Step};
-use super::sector::Sector;
 use super::stance::{From, Leg};
 use crate::barrier::Side;
 use std::ops::Range;
@@ -22,48 +21,35 @@ impl Search<'_> {
         }
     }
 
-    /// Offers a stance some features.
+    /// Offers a stance some features, and what its own goes over into, as far as it is among them.
     pub(super) fn connect(
         &mut self,
         stance: u32,
         features: Range<usize>,
         budget: &Budget,
     ) -> Result<(), Interrupt> {
-        let from = self.stances[stance as usize].from;
-        if let From::Feature(departure) = &from {
-            self.push_over(stance, departure, &features);
+        if let From::Feature(departure) = self.stances[stance as usize].from {
+            self.push_over(stance, &departure, &features);
         }
-        let ahead = match &from {
-            From::Start(_) => None,
-            From::Feature(departure) => Some((departure.lane.side, Sector::ahead(departure))),
-        };
-        for other in features.start as u32..features.end as u32 {
-            if (other as usize).is_multiple_of(FEATURES_BETWEEN_CHECKS) {
-                budget.check(0)?;
-            }
-            for side in self.may_arrive(&from, ahead.as_ref(), other).into_iter().flatten() {
-                self.push_tangent(stance, &from, other, side);
-            }
+        for part in features.start / FEATURES_BETWEEN_CHECKS..=features.end / FEATURES_BETWEEN_CHECKS {
+            let first = part * FEATURES_BETWEEN_CHECKS;
+            budget.check(0)?;
+            self.push_tangents(
+                stance,
+                first.max(features.start)..features.end.min(first + FEATURES_BETWEEN_CHECKS),
+            );
         }
         Ok(())
     }
 
-    /// The sides on which a tangent from a stance may touch another feature: a quick test.
-    fn may_arrive(&self, from: &From, ahead: Option<&(Side, Sector)>, other: u32) -> [Option<Side>; 2] {
-        let there = self.known.sector(other);
-        let (between, radius) = match (from, ahead) {
-            (From::Feature(departure), Some((side, ahead))) => {
-                let between = ahead.to(there);
-                let admitted = ahead.admits(between, there.radius())[*side as usize];
-                if !admitted || departure.lane.feature == other {
-                    return [None, None];
-                }
-                (between, ahead.radius())
+    /// Along tangents to features.
+    pub(super) fn push_tangents(&mut self, stance: u32, features: Range<usize>) {
+        let (side, ahead) = self.ahead[stance as usize];
+        for other in features.start as u32..features.end as u32 {
+            for side in ahead.may_reach(side, self.known.sector(other)).into_iter().flatten() {
+                self.push_tangent(stance, other, side);
             }
-            (_, _) => (there.seen_from(from.center()), 0.0),
-        };
-        let [left, right] = there.admits(between, radius);
-        [left.then_some(Side::Left), right.then_some(Side::Right)]
+        }
     }
 
     /// The label at a feature, about to leave it.
@@ -137,13 +123,14 @@ impl Search<'_> {
     }
 
     /// Along a tangent to another feature.
-    fn push_tangent(&mut self, stance: u32, from: &From, other: u32, side: Side) {
+    fn push_tangent(&mut self, stance: u32, other: u32, side: Side) {
+        let from = &self.stances[stance as usize].from;
         let circle = self.known.feature(other);
-        if let From::Feature(departure) = from
-            && departure.lane.side == side
-            && self.known.goes_over(departure.lane.feature, other)
-        {
-            return;
+        if let From::Feature(departure) = from {
+            let lane = departure.lane;
+            if lane.feature == other || lane.side == side && self.known.goes_over(lane.feature, other) {
+                return;
+            }
         }
         let Some(leg) = from.leg_to(circle, side, self.start.point) else { return };
         let Some(offset) = circle.offset_of(-leg.planned.normal * side.sign(), leg.planned.angle_error)
