@@ -128,7 +128,7 @@ impl Solver<'_> {
 
     /// Ids of obstacles; the work area's border is taken for granted.
     fn named(&self, owners: impl IntoIterator<Item = usize>) -> Vec<String> {
-        let is_obstacle = |owner: &usize| *owner < self.barriers.scene.obstacles.len();
+        let is_obstacle = |owner: &usize| self.barriers.obstacle(*owner).is_some();
         owners.into_iter().filter(is_obstacle).map(|owner| self.id(owner)).collect()
     }
 

@@ -1,7 +1,7 @@
 //! Which obstacles part start from target.
 
 use crate::Stats;
-use crate::barriers::Barriers;
+use crate::barriers::{Barriers, WORK_AREA};
 use crate::search::{End, Known, Search};
 use std::collections::BTreeSet;
 use traverse_solve::{Budget, Interrupt, Silent};
@@ -20,15 +20,13 @@ pub(crate) fn separating(
     budget: &Budget,
     stats: &mut Stats,
 ) -> Result<Vec<usize>, Interrupt> {
-    let obstacles = barriers.scene.obstacles.len();
-    let mut left_out: BTreeSet<usize> =
-        (0..barriers.owner_count()).filter(|owner| !parting.contains(owner)).collect();
-    for &owner in parting.iter().filter(|&&owner| owner < obstacles) {
+    let mut left_out: BTreeSet<usize> = barriers.owners().filter(|owner| !parting.contains(owner)).collect();
+    for &owner in parting.iter().filter(|&&owner| owner != WORK_AREA) {
         left_out.insert(owner);
         let mut search = Search::new(Known::new(barriers, &left_out), start, target);
         if search.run(budget, &mut stats.expanded_nodes, &mut Silent)?.is_some() {
             left_out.remove(&owner);
         }
     }
-    Ok(parting.into_iter().filter(|owner| *owner < obstacles && !left_out.contains(owner)).collect())
+    Ok(parting.into_iter().filter(|owner| *owner != WORK_AREA && !left_out.contains(owner)).collect())
 }

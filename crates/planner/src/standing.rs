@@ -7,7 +7,7 @@ use crate::search::End;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, left_of, positive_angle, unit,
+    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Segment, left_of, positive_angle, unit,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -28,7 +28,7 @@ pub(crate) fn stand(
     budget: &Budget,
 ) -> Result<Result<End, Vec<Refusal>>, Interrupt> {
     let mut refusals = Vec::new();
-    for owner in 0..barriers.owner_count() {
+    for owner in barriers.owners() {
         budget.check(0)?;
         if let Some(depth_mm) = depth(barriers, owner, point) {
             let obstacle = barriers.id(owner).to_owned();
@@ -51,10 +51,10 @@ pub(crate) fn stand(
 /// How far `point` lies inside the owner's barrier, if by more than half a contact tolerance.
 fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
     let clearance = barriers.clearance(owner);
-    let shape = shape(barriers, owner)?;
+    let shape = barriers.shape(owner)?;
     let reach = clearance.asked + CONTACT_TOLERANCE_MM;
     let mitred = matches!(clearance.style, CornerStyle::Miter { .. }) && clearance.asked > 0.0;
-    let is_obstacle = owner < barriers.scene.obstacles.len();
+    let is_obstacle = barriers.obstacle(owner).is_some();
     if is_obstacle && !mitred && !shape.bounds().grown(reach).contains(point) {
         return None;
     }
@@ -80,13 +80,6 @@ fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
         clearance.asked - distance()
     };
     (depth > CONTACT_TOLERANCE_MM / 2.0).then_some(depth)
-}
-
-fn shape<'a>(barriers: &Barriers<'a>, owner: usize) -> Option<&'a Polygon> {
-    match barriers.scene.obstacles.get(owner) {
-        Some(obstacle) => Some(&obstacle.shape),
-        None => barriers.scene.work_area.as_ref(),
-    }
 }
 
 /// The point itself; on the border of what is planned at one contact tolerance, the places that far out from it, in
@@ -175,7 +168,7 @@ fn is_beside(
     if parted {
         return Ok(false);
     }
-    for owner in 0..barriers.owner_count() {
+    for owner in barriers.owners() {
         budget.check(0)?;
         if depth(barriers, owner, place).is_some() {
             return Ok(false);

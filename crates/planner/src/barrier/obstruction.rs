@@ -22,6 +22,7 @@ const RUN_LENGTH: usize = 8;
 const RUN_CELLS: f64 = 16.0;
 
 /// Blockers in a bucket grid. Building is linear; a query looks at what lies along it.
+#[derive(Default)]
 pub(crate) struct Obstruction {
     blockers: Vec<Blocker>,
     runs: Vec<Run>,

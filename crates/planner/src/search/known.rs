@@ -16,10 +16,10 @@ const FEATURES_BETWEEN_CHECKS: usize = 4096;
 /// A scene's barriers, or some of them, and which of these were met.
 pub(crate) struct Known<'a> {
     barriers: &'a Barriers<'a>,
-    /// Per owner whether it is there at all.
-    there: Vec<bool>,
-    /// Per owner whether it was met.
-    met: Vec<bool>,
+    /// Owners that are there at all.
+    there: Marks,
+    /// Owners that were met.
+    met: Marks,
     /// Features of what was met.
     pub(crate) features: Vec<Feature>,
     /// Their directions, for the quick test.
@@ -30,6 +30,26 @@ pub(crate) struct Known<'a> {
     /// its square.
     last_in: FxHashMap<[i64; 2], usize>,
     before_in_square: Vec<Option<usize>>,
+}
+
+/// A yes or no for every owner.
+struct Marks {
+    obstacles: Vec<bool>,
+    work_area: bool,
+}
+
+impl Marks {
+    fn of(obstacle_count: usize, mark: bool) -> Self {
+        Self { obstacles: vec![mark; obstacle_count], work_area: mark }
+    }
+
+    fn has(&self, owner: usize) -> bool {
+        self.obstacles.get(owner).copied().unwrap_or(self.work_area)
+    }
+
+    fn set(&mut self, owner: usize, mark: bool) {
+        *self.obstacles.get_mut(owner).unwrap_or(&mut self.work_area) = mark;
+    }
 }
 
 /// The stretches of a feature's range that no barrier blocks, in order, and whose barriers block the rest.
@@ -59,11 +79,12 @@ pub(crate) enum Way {
 impl<'a> Known<'a> {
     /// Nothing met yet. `left_out` is taken for not there.
     pub(crate) fn new(barriers: &'a Barriers<'a>, left_out: &BTreeSet<usize>) -> Self {
-        let owners = barriers.owner_count();
+        let mut there = Marks::of(barriers.scene.obstacles.len(), true);
+        left_out.iter().for_each(|&owner| there.set(owner, false));
         Self {
             barriers,
-            there: (0..owners).map(|owner| !left_out.contains(&owner)).collect(),
-            met: vec![false; owners],
+            there,
+            met: Marks::of(barriers.scene.obstacles.len(), false),
             features: Vec::new(),
             sectors: Vec::new(),
             free: Vec::new(),
@@ -74,11 +95,11 @@ impl<'a> Known<'a> {
 
     /// Owners of the barriers that were met.
     pub(crate) fn met(&self) -> impl Iterator<Item = usize> {
-        self.met.iter().enumerate().filter(|&(_, met)| *met).map(|(owner, _)| owner)
+        self.barriers.owners().filter(|&owner| self.met.has(owner))
     }
 
     pub(crate) fn was_met(&self, owner: usize) -> bool {
-        self.met[owner]
+        self.met.has(owner)
     }
 
     pub(crate) fn feature(&self, feature: u32) -> &Feature {
@@ -95,7 +116,7 @@ impl<'a> Known<'a> {
     /// The budget ended.
     pub(crate) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<Met, Interrupt> {
         let first = self.features.len();
-        self.met[owner] = true;
+        self.met.set(owner, true);
         for outline in self.barriers.outlines(owner) {
             outline.add_features(&mut self.features, budget)?;
         }
@@ -122,10 +143,10 @@ impl<'a> Known<'a> {
         let mut met = false;
         let mut nearest: Option<(f64, usize)> = None;
         self.barriers.whole.blocking(&Segment::new(from, to), |blocker| {
-            if !self.there[blocker.owner] {
+            if !self.there.has(blocker.owner) {
                 return ControlFlow::Continue(());
             }
-            if self.met[blocker.owner] {
+            if self.met.has(blocker.owner) {
                 met = true;
                 return ControlFlow::Break(());
             }
@@ -151,7 +172,7 @@ impl<'a> Known<'a> {
                 return Stretches { free: vec![(0.0, feature.sweep)], blocked_by: Vec::new() };
             }
             let blocked = self.barriers.whole.blocked_offsets(feature);
-            free_of(feature, blocked.filter(|&(_, _, owner)| self.there[owner]).collect())
+            free_of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)).collect())
         })
     }
 
