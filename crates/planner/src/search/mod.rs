@@ -5,8 +5,10 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod circles;
 mod departure;
 mod end;
+mod ground;
 mod known;
 mod label;
 mod route;
@@ -16,8 +18,10 @@ mod shortest;
 mod stance;
 mod successors;
 mod tangent;
+mod tree;
 
 pub(crate) use end::End;
+pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;
 pub(crate) use label::Route;
