@@ -1,8 +1,9 @@
 //! All barriers of a scene.
 
-use crate::barrier::{Clearance, Obstruction, Outline};
+use crate::barrier::{Blocker, Clearance, Feature, Obstruction, Outline};
 use std::borrow::Cow;
-use traverse_geometry::{Obstacle, Polygon, Ring, Scene, WORK_AREA_ID};
+use std::ops::ControlFlow;
+use traverse_geometry::{Obstacle, Polygon, Ring, Scene, Segment, WORK_AREA_ID};
 use traverse_solve::{Budget, Interrupt};
 
 /// The owner of the work area's border. An obstacle's barrier is owned by the obstacle's index.
@@ -14,11 +15,52 @@ pub(crate) type Rings<'a> = Vec<Cow<'a, Ring>>;
 /// Every barrier of a scene.
 pub(crate) struct Barriers<'a> {
     pub(crate) scene: &'a Scene,
+    parts: Kept<'a>,
+    /// Owners that are there; none: all of them.
+    there: Option<&'a Marks>,
+}
+
+/// What barriers are made of.
+#[derive(Default)]
+pub(crate) struct Parts<'a> {
     /// Per obstacle, and of the work area.
-    obstacles: Vec<Rings<'a>>,
-    work_area: Rings<'a>,
+    pub(crate) obstacles: Vec<Rings<'a>>,
+    pub(crate) work_area: Rings<'a>,
     /// What blocks a move in the whole scene.
     pub(crate) whole: Obstruction,
+}
+
+/// Parts of one's own, or kept elsewhere.
+enum Kept<'a> {
+    Here(Box<Parts<'a>>),
+    There(&'a Parts<'a>),
+}
+
+/// A yes or no for every owner.
+#[derive(Clone, Debug)]
+pub(crate) struct Marks {
+    obstacles: Vec<bool>,
+    work_area: bool,
+}
+
+impl Marks {
+    /// The same for all.
+    pub(crate) fn of(obstacle_count: usize, mark: bool) -> Self {
+        Self { obstacles: vec![mark; obstacle_count], work_area: mark }
+    }
+
+    pub(crate) fn has(&self, owner: usize) -> bool {
+        self.obstacles.get(owner).copied().unwrap_or(self.work_area)
+    }
+
+    /// Adds an obstacle.
+    pub(crate) fn push(&mut self, mark: bool) {
+        self.obstacles.push(mark);
+    }
+
+    pub(crate) fn set(&mut self, owner: usize, mark: bool) {
+        *self.obstacles.get_mut(owner).unwrap_or(&mut self.work_area) = mark;
+    }
 }
 
 impl<'a> Barriers<'a> {
@@ -29,7 +71,8 @@ impl<'a> Barriers<'a> {
     pub(crate) fn new(scene: &'a Scene, budget: &Budget) -> Result<Self, Interrupt> {
         let obstacles = scene.obstacles.iter().map(|obstacle| material_left(&obstacle.shape, true)).collect();
         let work_area = scene.work_area.iter().flat_map(|area| material_left(area, false)).collect();
-        let mut barriers = Self { scene, obstacles, work_area, whole: Obstruction::default() };
+        let mut parts = Parts { obstacles, work_area, whole: Obstruction::default() };
+        let barriers = Barriers::view(scene, &parts, None);
         let (mut blockers, mut ends) = (Vec::new(), Vec::new());
         for owner in barriers.owners() {
             budget.check(0)?;
@@ -38,13 +81,55 @@ impl<'a> Barriers<'a> {
                 ends.push(blockers.len());
             }
         }
-        barriers.whole = Obstruction::new(blockers, &ends, budget)?;
-        Ok(barriers)
+        parts.whole = Obstruction::new(blockers, &ends, budget)?;
+        Ok(Self { scene, parts: Kept::Here(Box::new(parts)), there: None })
+    }
+
+    /// Barriers that were taken apart before; of the owners those that are `there`, or all.
+    pub(crate) fn view(scene: &'a Scene, parts: &'a Parts<'a>, there: Option<&'a Marks>) -> Self {
+        Self { scene, parts: Kept::There(parts), there }
+    }
+
+    fn parts(&self) -> &Parts<'a> {
+        match &self.parts {
+            Kept::Here(parts) => parts,
+            Kept::There(parts) => parts,
+        }
+    }
+
+    /// Shows `visit` every blocker that blocks the straight move, until it breaks off; as
+    /// [`Obstruction::blocking`] does.
+    pub(crate) fn blocking(&self, line: &Segment, mut visit: impl FnMut(&Blocker) -> ControlFlow<()>) {
+        self.parts().whole.blocking(line, |blocker| {
+            if self.is_there(blocker.owner) { visit(blocker) } else { ControlFlow::Continue(()) }
+        });
+    }
+
+    /// Every blocker that may block the straight move, and some that don't.
+    pub(crate) fn near(&self, line: &Segment) -> impl Iterator<Item = &Blocker> {
+        self.parts().whole.near(line).filter(|blocker| self.is_there(blocker.owner))
+    }
+
+    /// The offsets of `feature` at which the planned path would come too near to some blocker, each with its owner.
+    pub(crate) fn blocked_offsets(&self, feature: &Feature) -> impl Iterator<Item = (f64, f64, usize)> {
+        self.parts().whole.blocked_offsets(feature).filter(|&(_, _, owner)| self.is_there(owner))
+    }
+
+    fn is_there(&self, owner: usize) -> bool {
+        self.there.is_none_or(|there| there.has(owner))
+    }
+
+    /// Which owners are there.
+    pub(crate) fn there(&self) -> Marks {
+        self.there.cloned().unwrap_or_else(|| Marks::of(self.parts().obstacles.len(), true))
     }
 
     /// Every owner: the obstacles, then the work area if there is one.
-    pub(crate) fn owners(&self) -> impl Iterator<Item = usize> + use<> {
-        (0..self.obstacles.len()).chain((!self.work_area.is_empty()).then_some(WORK_AREA))
+    pub(crate) fn owners(&self) -> impl Iterator<Item = usize> {
+        let there = self.there;
+        let parts = self.parts();
+        let all = (0..parts.obstacles.len()).chain((!parts.work_area.is_empty()).then_some(WORK_AREA));
+        all.filter(move |&owner| there.is_none_or(|there| there.has(owner)))
     }
 
     /// The obstacle; none for the work area.
@@ -74,7 +159,8 @@ impl<'a> Barriers<'a> {
     /// The owner's rings, each with its clearance.
     pub(crate) fn outlines(&self, owner: usize) -> impl Iterator<Item = Outline<'_>> {
         let clearance = self.clearance(owner);
-        let rings = self.obstacles.get(owner).unwrap_or(&self.work_area);
+        let parts = self.parts();
+        let rings = parts.obstacles.get(owner).unwrap_or(&parts.work_area);
         rings.iter().map(move |ring| Outline { ring, clearance, owner })
     }
 }

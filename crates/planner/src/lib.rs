@@ -32,6 +32,7 @@
 mod barrier;
 mod barriers;
 mod plan;
+mod prepared;
 mod rapid_move;
 mod search;
 mod separating;
@@ -40,4 +41,5 @@ mod supporting_lines;
 mod trace;
 
 pub use plan::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, Stats};
+pub use prepared::{EditRefusal, PreparedScene};
 pub use rapid_move::plan_rapid_move;

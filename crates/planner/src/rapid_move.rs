@@ -23,6 +23,56 @@ pub fn plan_rapid_move(
     budget: &Budget,
     observer: &mut dyn Observer,
 ) -> Result<(Answer, Stats), Vec<Refusal>> {
+    let straight = (query.target - query.start).norm();
+    let barriers = Barriers::new(scene, budget)
+        .map_err(|interrupt| vec![Refusal::Interrupted { interrupt, lower_bound: straight }])?;
+    plan_among(&barriers, query, budget, observer, &mut MeetingBarriers)
+}
+
+/// How the shortest route between two ends is found.
+pub(crate) trait ShortestRoute {
+    /// The shortest route, if there is any, and a cost that no route is below.
+    fn shortest(
+        &mut self,
+        barriers: &Barriers<'_>,
+        ends: [&End; 2],
+        stats: &mut Stats,
+        budget: &Budget,
+        observer: &mut dyn Observer,
+    ) -> (Result<Option<Route>, Interrupt>, f64);
+}
+
+/// By a search that meets barriers as it goes.
+struct MeetingBarriers;
+
+impl ShortestRoute for MeetingBarriers {
+    fn shortest(
+        &mut self,
+        barriers: &Barriers<'_>,
+        [start, target]: [&End; 2],
+        stats: &mut Stats,
+        budget: &Budget,
+        observer: &mut dyn Observer,
+    ) -> (Result<Option<Route>, Interrupt>, f64) {
+        let mut search = Search::new(Known::new(barriers, &BTreeSet::new()), start, target);
+        let found = search.run(budget, &mut stats.expanded_nodes, observer);
+        stats.barrier_vertices = search.known.features.len() as u64;
+        (found, search.lower_bound)
+    }
+}
+
+/// Plans one rapid move among barriers that were taken apart.
+///
+/// # Errors
+/// As [`plan_rapid_move`].
+pub(crate) fn plan_among(
+    barriers: &Barriers<'_>,
+    query: &RapidMove,
+    budget: &Budget,
+    observer: &mut dyn Observer,
+    shortest: &mut dyn ShortestRoute,
+) -> Result<(Answer, Stats), Vec<Refusal>> {
+    let scene = barriers.scene;
     let interrupted =
         |lower_bound: f64| move |interrupt: Interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
     let straight = (query.target - query.start).norm();
@@ -32,13 +82,11 @@ pub fn plan_rapid_move(
             Some(Scan::of(scene, query.start, query.target).map_err(|refusal| vec![refusal])?)
         }
     };
-    let barriers = Barriers::new(scene, budget).map_err(interrupted(straight))?;
-    let start = stand(&barriers, "start", query.start, budget).map_err(interrupted(straight))?;
-    let target = stand(&barriers, "target", query.target, budget).map_err(interrupted(straight))?;
+    let start = stand(barriers, "start", query.start, budget).map_err(interrupted(straight))?;
+    let target = stand(barriers, "target", query.target, budget).map_err(interrupted(straight))?;
     let (start, target) = both(start, target)?;
-    let mut solver =
-        Solver { barriers: &barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
-    let solved = solver.solve(&start, &target).map_err(interrupted(solver.lower_bound))?;
+    let mut solver = Solver { barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
+    let solved = solver.solve(&start, &target, shortest).map_err(interrupted(solver.lower_bound))?;
     let stats = solver.stats;
     let (path, bending_obstacles) = match solved {
         Solved::Path(path, bending) => (path, bending),
@@ -100,7 +148,12 @@ struct Solver<'a> {
 }
 
 impl Solver<'_> {
-    fn solve(&mut self, start: &End, target: &End) -> Result<Solved, Interrupt> {
+    fn solve(
+        &mut self,
+        start: &End,
+        target: &End,
+        shortest: &mut dyn ShortestRoute,
+    ) -> Result<Solved, Interrupt> {
         if start.point == target.point {
             return Ok(Solved::Path(Path::at(start.point), Vec::new()));
         }
@@ -109,34 +162,27 @@ impl Solver<'_> {
                 return Ok(Solved::Parted(self.named(end.shut_in_by.iter().copied())));
             }
         }
-        let mut search = Search::new(Known::new(self.barriers, &BTreeSet::new()), start, target);
-        let found = search.run(self.budget, &mut self.stats.expanded_nodes, self.observer);
-        if search.lower_bound > self.lower_bound {
-            self.lower_bound = search.lower_bound;
-            self.observer.better_bound(self.lower_bound);
+        let (found, lower_bound) =
+            shortest.shortest(self.barriers, [start, target], &mut self.stats, self.budget, self.observer);
+        if lower_bound > self.lower_bound {
+            self.lower_bound = lower_bound;
+            self.observer.better_bound(lower_bound);
         }
-        self.stats.barrier_vertices = search.known.features.len() as u64;
         let Some(route) = found? else {
-            let parting = search.known.met().collect();
-            let parting = separating(self.barriers, parting, start, target, self.budget, &mut self.stats)?;
+            let parting = separating(self.barriers, start, target, self.budget, &mut self.stats)?;
             return Ok(Solved::Parted(self.named(parting)));
         };
         self.observer.better_cost(route.cost);
-        let path = trace(&route, &search.known.features, start.point, target.point);
-        Ok(Solved::Path(path, self.bending(&route, &search.known)))
+        let path = trace(&route, start.point, target.point);
+        let mut bending: Vec<String> = route.stops.iter().map(|stop| self.id(stop.circle.owner)).collect();
+        bending.dedup();
+        Ok(Solved::Path(path, bending))
     }
 
     /// Ids of obstacles; the work area's border is taken for granted.
     fn named(&self, owners: impl IntoIterator<Item = usize>) -> Vec<String> {
         let is_obstacle = |owner: &usize| self.barriers.obstacle(*owner).is_some();
         owners.into_iter().filter(is_obstacle).map(|owner| self.id(owner)).collect()
-    }
-
-    fn bending(&self, route: &Route, known: &Known<'_>) -> Vec<String> {
-        let mut ids: Vec<String> =
-            route.stops.iter().map(|stop| self.id(known.features[stop.feature].owner)).collect();
-        ids.dedup();
-        ids
     }
 
     fn id(&self, owner: usize) -> String {

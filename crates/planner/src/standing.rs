@@ -138,13 +138,13 @@ fn near(barriers: &Barriers<'_>, point: Point) -> Vec<Blocker> {
     let touches = |blocker: &&Blocker| {
         blocker.limit <= CONTACT_TOLERANCE_MM && blocker.edge.distance_to_point(point) < CONTACT_TOLERANCE_MM
     };
-    barriers.whole.near(&here).filter(touches).copied().collect()
+    barriers.near(&here).filter(touches).copied().collect()
 }
 
 /// Whether a planned path may pass `place`.
 fn is_clear(barriers: &Barriers<'_>, place: Point) -> bool {
     let mut clear = true;
-    barriers.whole.blocking(&Segment::new(place, place), |_| {
+    barriers.blocking(&Segment::new(place, place), |_| {
         clear = false;
         ControlFlow::Break(())
     });
@@ -161,7 +161,7 @@ fn is_beside(
 ) -> Result<bool, Interrupt> {
     let line = Segment::new(point, place);
     let between = Edge::Segment(line);
-    let parted = barriers.whole.near(&line).any(|blocker| {
+    let parted = barriers.near(&line).any(|blocker| {
         blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
             && blocker.edge.distance(&between) == 0.0
     });

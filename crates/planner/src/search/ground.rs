@@ -1,11 +1,15 @@
 //! What a search stands on: the features that its paths may bend round.
 
+use super::Sector;
 use crate::barrier::Feature;
 
 /// Features by number, and what is known of each.
 pub(crate) trait Ground {
     /// The feature.
     fn feature(&self, feature: u32) -> &Feature;
+
+    /// Its directions, for the quick test.
+    fn sector(&self, feature: u32) -> &Sector;
 
     /// The stretches of its range that nothing blocks.
     fn stretches(&self, feature: u32) -> &Stretches;

@@ -4,7 +4,7 @@ use super::circles::Circles;
 use super::sector::Sector;
 use super::{Ground, Stretches};
 use crate::barrier::Feature;
-use crate::barriers::Barriers;
+use crate::barriers::{Barriers, Marks};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
@@ -30,26 +30,6 @@ pub(crate) struct Known<'a> {
     circles: Circles,
 }
 
-/// A yes or no for every owner.
-struct Marks {
-    obstacles: Vec<bool>,
-    work_area: bool,
-}
-
-impl Marks {
-    fn of(obstacle_count: usize, mark: bool) -> Self {
-        Self { obstacles: vec![mark; obstacle_count], work_area: mark }
-    }
-
-    fn has(&self, owner: usize) -> bool {
-        self.obstacles.get(owner).copied().unwrap_or(self.work_area)
-    }
-
-    fn set(&mut self, owner: usize, mark: bool) {
-        *self.obstacles.get_mut(owner).unwrap_or(&mut self.work_area) = mark;
-    }
-}
-
 /// A barrier that was just met.
 pub(crate) struct Met {
     /// Its features.
@@ -71,7 +51,7 @@ pub(crate) enum Way {
 impl<'a> Known<'a> {
     /// Nothing met yet. `left_out` is taken for not there.
     pub(crate) fn new(barriers: &'a Barriers<'a>, left_out: &BTreeSet<usize>) -> Self {
-        let mut there = Marks::of(barriers.scene.obstacles.len(), true);
+        let mut there = barriers.there();
         left_out.iter().for_each(|&owner| there.set(owner, false));
         Self {
             barriers,
@@ -91,10 +71,6 @@ impl<'a> Known<'a> {
 
     pub(crate) fn was_met(&self, owner: usize) -> bool {
         self.met.has(owner)
-    }
-
-    pub(super) fn sector(&self, feature: u32) -> &Sector {
-        &self.sectors[feature as usize]
     }
 
     /// Meets the owner's barrier.
@@ -128,7 +104,7 @@ impl<'a> Known<'a> {
         }
         let mut met = false;
         let mut nearest: Option<(f64, usize)> = None;
-        self.barriers.whole.blocking(&Segment::new(from, to), |blocker| {
+        self.barriers.blocking(&Segment::new(from, to), |blocker| {
             if !self.there.has(blocker.owner) {
                 return ControlFlow::Continue(());
             }
@@ -155,6 +131,10 @@ impl Ground for Known<'_> {
         &self.features[feature as usize]
     }
 
+    fn sector(&self, feature: u32) -> &Sector {
+        &self.sectors[feature as usize]
+    }
+
     /// Worked out when first asked for, against all barriers, met or not.
     fn stretches(&self, feature: u32) -> &Stretches {
         self.free[feature as usize].get_or_init(|| {
@@ -163,7 +143,7 @@ impl Ground for Known<'_> {
             if feature.plan_radius == 0.0 {
                 return Stretches::all(feature);
             }
-            let blocked = self.barriers.whole.blocked_offsets(feature);
+            let blocked = self.barriers.blocked_offsets(feature);
             Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)))
         })
     }

@@ -18,7 +18,7 @@ pub(super) fn route(tree: &Tree<'_>, ground: &impl Ground, last: &Label) -> Rout
                 |leg| parent.from.spoke_along(&leg),
             );
             stops.push(Stop {
-                feature: feature as usize,
+                circle: *ground.feature(feature),
                 side,
                 spoke_in: departure.spoke,
                 spoke_out,
