@@ -1,9 +1,10 @@
 //! All barriers of a scene.
 
 use crate::barrier::{Blocker, Clearance, Feature, Obstruction, Outline};
+use crate::prepared::Nearby;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
-use traverse_geometry::{Obstacle, Polygon, Ring, Scene, Segment, WORK_AREA_ID};
+use traverse_geometry::{Obstacle, Point, Polygon, Ring, Scene, Segment, WORK_AREA_ID};
 use traverse_solve::{Budget, Interrupt};
 
 /// The owner of the work area's border. An obstacle's barrier is owned by the obstacle's index.
@@ -16,8 +17,8 @@ pub(crate) type Rings<'a> = Vec<Cow<'a, Ring>>;
 pub(crate) struct Barriers<'a> {
     pub(crate) scene: &'a Scene,
     parts: Kept<'a>,
-    /// Owners that are there; none: all of them.
-    there: Option<&'a Marks>,
+    /// Owners that are there, and where; none: all of them.
+    there: Option<(&'a Marks, &'a Nearby)>,
 }
 
 /// What barriers are made of.
@@ -86,7 +87,11 @@ impl<'a> Barriers<'a> {
     }
 
     /// Barriers that were taken apart before; of the owners those that are `there`, or all.
-    pub(crate) fn view(scene: &'a Scene, parts: &'a Parts<'a>, there: Option<&'a Marks>) -> Self {
+    pub(crate) fn view(
+        scene: &'a Scene,
+        parts: &'a Parts<'a>,
+        there: Option<(&'a Marks, &'a Nearby)>,
+    ) -> Self {
         Self { scene, parts: Kept::There(parts), there }
     }
 
@@ -116,12 +121,14 @@ impl<'a> Barriers<'a> {
     }
 
     fn is_there(&self, owner: usize) -> bool {
-        self.there.is_none_or(|there| there.has(owner))
+        self.there.is_none_or(|(there, _)| there.has(owner))
     }
 
     /// Which owners are there.
     pub(crate) fn there(&self) -> Marks {
-        self.there.cloned().unwrap_or_else(|| Marks::of(self.parts().obstacles.len(), true))
+        self.there
+            .map(|(there, _)| there.clone())
+            .unwrap_or_else(|| Marks::of(self.parts().obstacles.len(), true))
     }
 
     /// Every owner: the obstacles, then the work area if there is one.
@@ -129,7 +136,19 @@ impl<'a> Barriers<'a> {
         let there = self.there;
         let parts = self.parts();
         let all = (0..parts.obstacles.len()).chain((!parts.work_area.is_empty()).then_some(WORK_AREA));
-        all.filter(move |&owner| there.is_none_or(|there| there.has(owner)))
+        all.filter(move |&owner| there.is_none_or(|(there, _)| there.has(owner)))
+    }
+
+    /// Every owner that `point` may lie in or near, and others.
+    pub(crate) fn owners_at(&self, point: Point) -> Vec<usize> {
+        match self.there {
+            None => self.owners().collect(),
+            Some((there, nearby)) => {
+                let mut owners = nearby.owners_at(point);
+                owners.retain(|&owner| there.has(owner));
+                owners
+            }
+        }
     }
 
     /// The obstacle; none for the work area.

@@ -28,7 +28,7 @@ pub(crate) fn stand(
     budget: &Budget,
 ) -> Result<Result<End, Vec<Refusal>>, Interrupt> {
     let mut refusals = Vec::new();
-    for owner in barriers.owners() {
+    for owner in barriers.owners_at(point) {
         budget.check(0)?;
         if let Some(depth_mm) = depth(barriers, owner, point) {
             let obstacle = barriers.id(owner).to_owned();
@@ -168,7 +168,7 @@ fn is_beside(
     if parted {
         return Ok(false);
     }
-    for owner in barriers.owners() {
+    for owner in barriers.owners_at(place) {
         budget.check(0)?;
         if depth(barriers, owner, place).is_some() {
             return Ok(false);

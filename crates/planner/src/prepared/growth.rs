@@ -6,7 +6,7 @@ use crate::barrier::Grid;
 use traverse_geometry::{Point, Vector};
 
 /// By how much the ellipse's excess over the straight way grows at once, at least.
-const GROWTH: f64 = 1.5;
+const GROWTH: f64 = 1.25;
 
 /// The cells that an ellipse has reached.
 pub(super) struct Growth {
@@ -25,6 +25,17 @@ impl Growth {
     pub(super) fn new(start: Point, target: Point) -> Self {
         let straight = (target - start).norm();
         Self { start, target, straight, cost: 0.0, first_row: 0, done: Vec::new(), is_first: true }
+    }
+
+    pub(super) fn start(&self) -> Point {
+        self.start
+    }
+
+    /// No path that touches the circle costs less, millimetres.
+    pub(super) fn least_cost(&self, center: Point, radius: f64) -> f64 {
+        let by_center = (center - self.start).norm() + (self.target - center).norm();
+        // A hair less, so that rounding takes none away.
+        ((by_center - 2.0 * radius) * (1.0 - 1e-12)).max(0.0)
     }
 
     /// Adds to `found` the items of `layer` in cells not looked through yet, until all were that a path of cost `cost`

@@ -5,7 +5,9 @@
 //! concerns when they are next used. A query adds its ends (`growth`) and searches along the links (`scene`).
 
 mod growth;
+mod horizon;
 mod link;
+mod nearby;
 mod occlusion;
 mod scene;
 mod sight;
@@ -13,4 +15,5 @@ mod sights;
 mod terrain;
 
 pub(crate) use link::Link;
+pub(crate) use nearby::Nearby;
 pub use scene::{EditRefusal, PreparedScene};

@@ -1,18 +1,22 @@
 //! A scene that is kept for many rapid moves and may change between them.
 
 use super::growth::Growth;
+use super::horizon::Horizon;
 use super::link::Link;
 use super::sights::{EditKind, Sights};
 use super::terrain::Terrain;
 use crate::barrier::Side;
 use crate::barriers::{Barriers, Parts, Rings, material_left};
 use crate::rapid_move::{ShortestRoute, plan_among};
-use crate::search::{End, Moves, Room, Route, SeenSearch};
+use crate::search::{End, Ground, Moves, Room, Route, SeenSearch};
 use crate::{Answer, RapidMove, Refusal, Stats};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use traverse_geometry::{Obstacle, Point, Polygon, Scene};
 use traverse_solve::{Budget, Interrupt, Observer};
+
+/// The start's horizon is made of what stands within so many cells.
+const HORIZON_CELLS: i64 = 3;
 
 /// A scene whose removed obstacles make up more than this share of all blockers is taken apart anew.
 const WASTE_RATIO: f64 = 0.5;
@@ -122,7 +126,7 @@ impl PreparedScene {
     ) -> Result<(Answer, Stats), Vec<Refusal>> {
         self.tidy(budget);
         let Self { scene, terrain, sights, room, .. } = self;
-        let barriers = Barriers::view(scene, &terrain.parts, Some(&terrain.there));
+        let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
         let mut along = AlongSights { terrain, sights, room };
         plan_among(&barriers, query, budget, observer, &mut along)
     }
@@ -147,7 +151,7 @@ impl PreparedScene {
     }
 
     fn barriers(&self) -> Barriers<'_> {
-        Barriers::view(&self.scene, &self.terrain.parts, Some(&self.terrain.there))
+        Barriers::view(&self.scene, &self.terrain.parts, Some((&self.terrain.there, &self.terrain.nearby)))
     }
 }
 
@@ -172,7 +176,9 @@ impl ShortestRoute for AlongSights<'_> {
         observer: &mut dyn Observer,
     ) -> (Result<Option<Route>, Interrupt>, f64) {
         let growth = Growth::new(start.point, target.point);
-        let moves = Sighted { terrain: self.terrain, sights: self.sights, growth };
+        let horizon = horizon(self.terrain, start);
+        let moves =
+            Sighted { terrain: self.terrain, sights: self.sights, growth, horizon, waiting: Vec::new() };
         let mut search = SeenSearch::new(moves, start, target, std::mem::take(self.room));
         let found = search.run(budget, &mut stats.expanded_nodes, observer);
         let lower_bound = search.lower_bound;
@@ -186,6 +192,28 @@ struct Sighted<'a> {
     terrain: &'a Terrain,
     sights: &'a mut Sights,
     growth: Growth,
+    horizon: Horizon,
+    /// Features that only dearer paths can touch, with the least cost of such a path.
+    waiting: Vec<(f64, u32)>,
+}
+
+/// The horizon round a point, from what stands nearest to it.
+fn horizon(terrain: &Terrain, end: &End) -> Horizon {
+    let grid = terrain.parts.whole.grid();
+    let aside = end.places.iter().map(|place| (place - end.point).norm()).fold(0.0, f64::max);
+    let mut horizon = Horizon::new(end.point, terrain.usual_radius + aside);
+    let [column, row] = grid.cell_at(end.point);
+    let [columns, rows] = grid.size().map(|count| count as i64);
+    for row in (row - HORIZON_CELLS).max(0)..=(row + HORIZON_CELLS).min(rows - 1) {
+        for column in (column - HORIZON_CELLS).max(0)..=(column + HORIZON_CELLS).min(columns - 1) {
+            for run in grid.items(column as usize, row as usize) {
+                if terrain.there.has(terrain.parts.whole.owner_of_run(run)) {
+                    horizon.add_chain(terrain.parts.whole.chain_of_run(run));
+                }
+            }
+        }
+    }
+    horizon
 }
 
 impl Moves for Sighted<'_> {
@@ -208,8 +236,23 @@ impl Moves for Sighted<'_> {
     }
 
     fn offer(&mut self, cost: f64, found: &mut Vec<u32>) -> f64 {
-        let offered = self.growth.grow(&self.terrain.layer, cost, found);
-        found.retain(|&feature| self.terrain.is_there(feature));
+        let mut reached = Vec::new();
+        let offered = self.growth.grow(&self.terrain.layer, cost, &mut reached);
+        for feature in reached {
+            if self.terrain.is_there(feature) {
+                let circle = self.terrain.feature(feature);
+                if !self.horizon.hides(circle.center - self.growth.start(), circle.plan_radius) {
+                    self.waiting.push((self.growth.least_cost(circle.center, circle.plan_radius), feature));
+                }
+            }
+        }
+        self.waiting.retain(|&(least, feature)| {
+            let due = least <= offered;
+            if due {
+                found.push(feature);
+            }
+            !due
+        });
         offered
     }
 }

@@ -1,5 +1,6 @@
 //! What a prepared scene keeps of its barriers: everything that blocks a move, every feature, and where both lie.
 
+use super::nearby::Nearby;
 use crate::barrier::{Blocker, Clearance, Feature, Grid, Obstruction, Outline};
 use crate::barriers::{Barriers, Marks, Parts, WORK_AREA};
 use crate::search::{Circles, Ground, Sector, Stretches};
@@ -23,6 +24,9 @@ pub(super) struct Terrain {
     /// Per feature its free stretches, worked out when first asked for.
     free: Vec<OnceCell<Stretches>>,
     pub(super) there: Marks,
+    pub(super) nearby: Nearby,
+    /// The radius that most features have, millimetres.
+    pub(super) usual_radius: f64,
     /// Per owner, the work area's first, what it owns.
     owned: Vec<Owned>,
 }
@@ -65,7 +69,16 @@ impl Terrain {
         let layer = whole.grid().same_cells();
         let there = Marks::of(owned.len() - 1, true);
         let (sectors, circles, free) = (Vec::new(), Circles::default(), Vec::new());
-        let mut terrain = Self { parts, features, layer, sectors, circles, free, there, owned };
+        let usual_radius = Clearance { asked: scene.clearance_mm, style: scene.corner_style }.planned();
+        let mut nearby = Nearby::like(&layer);
+        for (owner, owned) in owned.iter().enumerate().skip(1) {
+            nearby.push(owner - 1, owned.bounds.as_ref());
+        }
+        if scene.work_area.is_some() {
+            nearby.push(WORK_AREA, None);
+        }
+        let mut terrain =
+            Self { parts, features, layer, sectors, circles, free, there, nearby, usual_radius, owned };
         for feature in 0..terrain.features.len() {
             terrain.place(feature);
         }
@@ -93,6 +106,7 @@ impl Terrain {
             self.place(feature);
         }
         self.there.push(true);
+        self.nearby.push(owner, owned.bounds.as_ref());
         if let Some(bounds) = owned.bounds {
             self.forget_stretches(&bounds);
         }

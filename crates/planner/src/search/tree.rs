@@ -93,7 +93,8 @@ impl<'a> Tree<'a> {
         }
     }
 
-    fn add(&mut self, label: Label, at: Point) {
+    /// Adds a label whose place on the answered path is `at`.
+    pub(super) fn add(&mut self, label: Label, at: Point) {
         let estimate = label.cost + (self.target.point - at).norm();
         self.open.push((Reverse(estimate.to_bits()), self.labels.len() as u32));
         self.labels.push(label);
