@@ -27,10 +27,6 @@ impl Growth {
         Self { start, target, straight, cost: 0.0, first_row: 0, done: Vec::new(), is_first: true }
     }
 
-    pub(super) fn start(&self) -> Point {
-        self.start
-    }
-
     /// No path that touches the circle costs less, millimetres.
     pub(super) fn least_cost(&self, center: Point, radius: f64) -> f64 {
         let by_center = (center - self.start).norm() + (self.target - center).norm();

@@ -18,6 +18,9 @@ use traverse_solve::{Budget, Interrupt, Observer};
 /// The start's horizon is made of what stands within so many cells.
 const HORIZON_CELLS: i64 = 3;
 
+/// So many features are offered to the start before a horizon is worked out.
+const OFFERED_WITHOUT_HORIZON: usize = 48;
+
 /// A scene whose removed obstacles make up more than this share of all blockers is taken apart anew.
 const WASTE_RATIO: f64 = 0.5;
 
@@ -176,9 +179,15 @@ impl ShortestRoute for AlongSights<'_> {
         observer: &mut dyn Observer,
     ) -> (Result<Option<Route>, Interrupt>, f64) {
         let growth = Growth::new(start.point, target.point);
-        let horizon = horizon(self.terrain, start);
-        let moves =
-            Sighted { terrain: self.terrain, sights: self.sights, growth, horizon, waiting: Vec::new() };
+        let moves = Sighted {
+            terrain: self.terrain,
+            sights: self.sights,
+            growth,
+            start,
+            horizon: None,
+            offered_count: 0,
+            waiting: Vec::new(),
+        };
         let mut search = SeenSearch::new(moves, start, target, std::mem::take(self.room));
         let found = search.run(budget, &mut stats.expanded_nodes, observer);
         let lower_bound = search.lower_bound;
@@ -192,7 +201,10 @@ struct Sighted<'a> {
     terrain: &'a Terrain,
     sights: &'a mut Sights,
     growth: Growth,
-    horizon: Horizon,
+    start: &'a End,
+    /// Worked out when it begins to pay.
+    horizon: Option<Horizon>,
+    offered_count: usize,
     /// Features that only dearer paths can touch, with the least cost of such a path.
     waiting: Vec<(f64, u32)>,
 }
@@ -202,15 +214,19 @@ fn horizon(terrain: &Terrain, end: &End) -> Horizon {
     let grid = terrain.parts.whole.grid();
     let aside = end.places.iter().map(|place| (place - end.point).norm()).fold(0.0, f64::max);
     let mut horizon = Horizon::new(end.point, terrain.usual_radius + aside);
+    let mut runs = Vec::new();
     let [column, row] = grid.cell_at(end.point);
     let [columns, rows] = grid.size().map(|count| count as i64);
     for row in (row - HORIZON_CELLS).max(0)..=(row + HORIZON_CELLS).min(rows - 1) {
         for column in (column - HORIZON_CELLS).max(0)..=(column + HORIZON_CELLS).min(columns - 1) {
-            for run in grid.items(column as usize, row as usize) {
-                if terrain.there.has(terrain.parts.whole.owner_of_run(run)) {
-                    horizon.add_chain(terrain.parts.whole.chain_of_run(run));
-                }
-            }
+            runs.extend(grid.items(column as usize, row as usize));
+        }
+    }
+    runs.sort_unstable();
+    runs.dedup();
+    for run in runs {
+        if terrain.there.has(terrain.parts.whole.owner_of_run(run)) {
+            horizon.add_chain(terrain.parts.whole.chain_of_run(run));
         }
     }
     horizon
@@ -238,14 +254,19 @@ impl Moves for Sighted<'_> {
     fn offer(&mut self, cost: f64, found: &mut Vec<u32>) -> f64 {
         let mut reached = Vec::new();
         let offered = self.growth.grow(&self.terrain.layer, cost, &mut reached);
+        if self.horizon.is_none() && self.offered_count + reached.len() > OFFERED_WITHOUT_HORIZON {
+            self.horizon = Some(horizon(self.terrain, self.start));
+        }
         for feature in reached {
-            if self.terrain.is_there(feature) {
-                let circle = self.terrain.feature(feature);
-                if !self.horizon.hides(circle.center - self.growth.start(), circle.plan_radius) {
-                    self.waiting.push((self.growth.least_cost(circle.center, circle.plan_radius), feature));
-                }
+            let circle = self.terrain.feature(feature);
+            let by = circle.center - self.start.point;
+            let is_hidden =
+                self.horizon.as_ref().is_some_and(|horizon| horizon.hides(by, circle.plan_radius));
+            if !is_hidden && self.terrain.is_there(feature) {
+                self.waiting.push((self.growth.least_cost(circle.center, circle.plan_radius), feature));
             }
         }
+        let before = found.len();
         self.waiting.retain(|&(least, feature)| {
             let due = least <= offered;
             if due {
@@ -253,6 +274,7 @@ impl Moves for Sighted<'_> {
             }
             !due
         });
+        self.offered_count += found.len() - before;
         offered
     }
 }
