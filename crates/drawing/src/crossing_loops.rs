@@ -41,8 +41,7 @@ pub(crate) fn crossing_loops(group: &RoleLoops<'_>) -> Vec<DrawingFinding> {
         }
     }
     if let Some(first) = group.loops.first().filter(|_| !complete) {
-        let (layer, place) = (group.layer.to_owned(), first.vertices[0]);
-        findings.push(DrawingFinding { layer, place, fault: Fault::NotAllCompared });
+        findings.push(group.finding(first, first.vertices[0], Fault::NotAllCompared));
     }
     findings
 }
