@@ -144,7 +144,7 @@ impl fmt::Display for DrawingFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "layer {} at {:.3},{:.3} mm", self.layer, self.place.x, self.place.y)?;
         if let Some(entity) = &self.entity {
-            write!(f, " ({entity})")?;
+            write!(f, " (entity {entity})")?;
         }
         write!(f, ": {}", self.fault)
     }

@@ -5,9 +5,6 @@ use crate::{Curve, DrawingFinding, Fault};
 use std::collections::BTreeMap;
 use traverse_geometry::{Arc, Edge, Point, Segment, cross, positive_angle, unit};
 
-/// Comparisons of boxes at most: bounds the work on hostile drawings.
-const WORK_LIMIT: usize = 20_000_000;
-
 /// What runs along another curve for less than this many joining tolerances only meets it.
 const SHORTEST_OVERLAP: f64 = 10.0;
 
@@ -38,7 +35,7 @@ pub(crate) fn overlaps(
     }
     let boxes: Vec<_> = edges.iter().map(|(_, edge)| edge.bounds().grown(tolerance_mm)).collect();
     let mut found: BTreeMap<(usize, usize), (Shared, f64)> = BTreeMap::new();
-    let complete = meeting_boxes(&boxes, WORK_LIMIT, |a, b| {
+    let complete = meeting_boxes(&boxes, |a, b| {
         let ((one, first), (other, second)) = (&edges[a], &edges[b]);
         if one == other {
             return;
