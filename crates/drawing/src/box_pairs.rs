@@ -61,9 +61,10 @@ impl Bands {
         }
         let height = whole.size().y;
         let mean = order.iter().map(|&each| boxes[each].size().y).sum::<f64>() / order.len() as f64;
-        let count = (height / (2.0 * mean)).floor().min(MOST_BANDS).max(1.0);
+        let count = (height / (2.0 * mean)).floor().clamp(1.0, MOST_BANDS);
         let density = if height > 0.0 { count / height } else { 0.0 };
-        Self { low: whole.min.y, density, count: count as usize }
+        // No number where a size is not finite, or nothing has a height: one band.
+        Self { low: whole.min.y, density, count: (count as usize).max(1) }
     }
 
     /// The band that holds that height.

@@ -158,7 +158,7 @@ fn numbers_that_are_not_finite_are_findings() {
         numbers[place] = bad;
         let [a, b, c, d, e, f, bulge] = numbers;
         let vertices = vec![Point::new(a, b), Point::new(c, d), Point::new(e, f)];
-        Curve::new(vertices, vec![bulge, 0.0, 0.0], place % 2 == 0)
+        Curve::new(vertices, vec![bulge, 0.0, 0.0], place.is_multiple_of(2))
     };
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for place in 0..7 {

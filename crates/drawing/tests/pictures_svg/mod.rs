@@ -18,8 +18,7 @@ fn said<'a>(sheet: &'a str, classes: &str, property: &str) -> Option<&'a str> {
     let declarations = rules.flat_map(|(_, declarations)| declarations.split(';'));
     declarations
         .filter_map(|each| each.split_once(':'))
-        .filter(|(name, _)| *name == property)
-        .last()
+        .rfind(|(name, _)| *name == property)
         .map(|(_, value)| value)
 }
 
