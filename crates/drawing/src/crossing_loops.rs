@@ -2,7 +2,7 @@
 
 use crate::box_pairs::meeting_boxes;
 use crate::role_loops::RoleLoops;
-use crate::{DrawingFinding, Fault, Forest};
+use crate::{DrawingFinding, Fault};
 use std::collections::HashMap;
 use traverse_geometry::{Polygon, Reason, Ring};
 
@@ -13,9 +13,10 @@ const WORK_LIMIT_PER_VERTEX: usize = 4;
 /// One finding for each two loops that cross and of which neither is directly around the other.
 pub(crate) fn crossing_loops(group: &RoleLoops<'_>) -> Vec<DrawingFinding> {
     let bounds: Vec<_> = group.loops.iter().map(crate::Loop::bounds).collect();
+    let spans = group.forest.spans();
     let mut pairs = Vec::new();
     let mut complete = meeting_boxes(&bounds, |a, b| {
-        if !is_around(&group.forest, a, b) && !is_around(&group.forest, b, a) {
+        if !spans[a].contains(&spans[b].start) && !spans[b].contains(&spans[a].start) {
             pairs.push((a, b));
         }
     });
@@ -47,16 +48,4 @@ pub(crate) fn crossing_loops(group: &RoleLoops<'_>) -> Vec<DrawingFinding> {
         findings.push(group.finding(first, first.vertices[0], Fault::NotAllCompared));
     }
     findings
-}
-
-/// Whether loop `outer` lies around loop `inner`, however far out.
-fn is_around(forest: &Forest, outer: usize, inner: usize) -> bool {
-    let mut around = forest.parents[inner];
-    while let Some(each) = around {
-        if each == outer {
-            return true;
-        }
-        around = forest.parents[each];
-    }
-    false
 }
