@@ -91,6 +91,19 @@ impl Path {
         self
     }
 
+    /// The path as seen from above: no heights, no vertical moves.
+    #[must_use]
+    pub fn in_plane(&self) -> Self {
+        let mut path = Self::at(self.start);
+        for step in &self.steps {
+            match step.arc {
+                None => path.line_to(step.end),
+                Some(arc) => path.arc_to(step.end, arc.center, arc.sweep),
+            }
+        }
+        path
+    }
+
     /// Adds the steps of `next`, which begins where this path ends.
     pub fn append(&mut self, next: &Self) {
         self.steps.extend_from_slice(&next.steps);
