@@ -4,7 +4,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;
-use traverse_geometry::Point;
+use traverse_geometry::{EndRule, Point};
 
 /// Plans how a cutting machine travels: the shortest collision-free rapid move, proven.
 #[derive(Debug, Parser)]
@@ -118,11 +118,41 @@ pub(crate) struct Rapid {
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     pub(crate) to: Point,
     /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin. May come from --machine.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true, required_unless_present = "machine")]
-    pub(crate) clearance: Option<f64>,
+    /// Several (6,4,2.5) are tried largest first; the first that admits a path counts.
+    #[arg(
+        long,
+        value_name = "MM[,MM…]",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        required_unless_present = "machine"
+    )]
+    pub(crate) clearance: Vec<f64>,
     /// Distance kept from the work area's border, millimetres. Default: the clearance.
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     pub(crate) border_clearance: Option<f64>,
+    /// What happens where the start lies inside a barrier: refuse, nearest (out by the shortest straight way), or X,Y, the
+    /// direction to go out in.
+    #[arg(long, value_name = "refuse|nearest|X,Y", default_value = "refuse", value_parser = end_rule, allow_hyphen_values = true)]
+    pub(crate) leave: EndRule,
+    /// The same for the target; the direction is seen from the target outwards.
+    #[arg(long, value_name = "refuse|nearest|X,Y", default_value = "refuse", value_parser = end_rule, allow_hyphen_values = true)]
+    pub(crate) enter: EndRule,
+    /// Height of the start, millimetres. With it the tool may rise and pass over what is low enough.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "highest_z")]
+    pub(crate) start_z: Option<f64>,
+    /// Height of the target, millimetres. Default: the start's.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) target_z: Option<f64>,
+    /// The tool never goes higher, millimetres.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) highest_z: Option<f64>,
+    /// Kept above every top that is passed over, millimetres. Default: the largest clearance.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) clearance_z: Option<f64>,
+    /// Height of the top of every obstacle for which the machine's profile names none, millimetres. Without one an obstacle
+    /// can't be passed over.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) top: Option<f64>,
     /// How barriers turn convex corners. Default: round.
     #[arg(long, value_enum)]
     pub(crate) corner: Option<Corner>,
@@ -211,6 +241,17 @@ fn point(text: &str) -> Result<Point, String> {
     let (x, y) = text.split_once(',').ok_or_else(wrong)?;
     let number = |text: &str| text.trim().parse::<f64>().map_err(|_| wrong());
     Ok(Point::new(number(x)?, number(y)?))
+}
+
+/// What happens at an end inside a barrier.
+fn end_rule(text: &str) -> Result<EndRule, String> {
+    match text {
+        "refuse" => Ok(EndRule::Refuse),
+        "nearest" => Ok(EndRule::Nearest),
+        _ => point(text)
+            .map(|p| EndRule::Direction(p.coords))
+            .map_err(|_| format!("{text} is no rule; write refuse, nearest, or a direction X,Y such as 0,1")),
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Shapes with holes from the loops of one layer and role.
 
 use crate::role_loops::RoleLoops;
-use crate::{DrawingFinding, Fault, Loop};
+use crate::{DrawingFinding, Fault, Loop, ObstacleRole};
 use traverse_geometry::{Finding, Obstacle, Point, Polygon, Ring};
 
 /// A polygon, and how far at most it runs from what was drawn.
@@ -10,11 +10,12 @@ pub(crate) struct Shape {
     pub(crate) deviation_mm: f64,
 }
 
-/// An obstacle of that shape. It keeps a clearance of its own where one is asked for, or where it deviates from what
+/// An obstacle of that shape and top. It keeps a clearance of its own where one is asked for, or where it deviates from what
 /// was drawn.
-pub(crate) fn with_clearance(id: String, shape: Shape, own: Option<f64>, clearance_mm: f64) -> Obstacle {
+pub(crate) fn with_clearance(id: String, shape: Shape, role: &ObstacleRole, clearance_mm: f64) -> Obstacle {
+    let clearance_mm = role.clearance_mm.unwrap_or(clearance_mm);
     let widened = (shape.deviation_mm > 0.0).then_some(clearance_mm + shape.deviation_mm);
-    Obstacle { id, shape: shape.polygon, clearance_mm: widened.or(own) }
+    Obstacle { id, shape: shape.polygon, clearance_mm: widened.or(role.clearance_mm), top_z_mm: role.top_mm }
 }
 
 /// The shapes of a layer, outermost loops and islands, in the order in which they were drawn.

@@ -89,14 +89,8 @@ pub fn scene_from_drawing(drawing: &Drawing, options: &SceneOptions) -> Result<S
         match group.chosen.role {
             Role::Obstacle => {
                 let role = &options.roles.obstacles[group.chosen.place];
-                let clearance_mm = role.clearance_mm.unwrap_or(options.clearance_mm);
                 obstacles.extend(shapes_of(&group, &mut report.findings).into_iter().map(|shape| {
-                    with_clearance(
-                        number(Role::Obstacle, group.layer),
-                        shape,
-                        role.clearance_mm,
-                        clearance_mm,
-                    )
+                    with_clearance(number(Role::Obstacle, group.layer), shape, role, options.clearance_mm)
                 }));
             }
             Role::Part => {

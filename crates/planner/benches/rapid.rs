@@ -11,7 +11,7 @@ use glam::Vec2;
 use polyanya::{Mesh, Triangulation};
 use rand::RngExt;
 use std::time::Instant;
-use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, Ring, Scene, unit};
+use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, RapidRules, Ring, Scene, unit};
 use traverse_planner::{Algorithm, Answer, PreparedScene, RapidMove, plan_rapid_move};
 use traverse_solve::{Budget, Seed, Silent};
 
@@ -149,7 +149,12 @@ fn scattered(n: usize, clearance_mm: f64) -> Scene {
                 center + unit(angle) * size * random.random_range(0.4..1.0)
             });
             let ring = Ring::new(points.collect(), vec![]).unwrap();
-            Obstacle { id: format!("o{i}"), shape: Polygon::from_ring(ring), clearance_mm: None }
+            Obstacle {
+                id: format!("o{i}"),
+                shape: Polygon::from_ring(ring),
+                clearance_mm: None,
+                top_z_mm: None,
+            }
         })
         .collect();
     let side = columns * PITCH + 10.0;
@@ -175,7 +180,14 @@ fn moves(scene: &Scene, count: usize) -> Vec<RapidMove> {
             return p;
         }
     };
-    (0..count).map(|_| RapidMove { start: free(), target: free(), algorithm: Algorithm::Exact }).collect()
+    (0..count)
+        .map(|_| RapidMove {
+            start: free(),
+            target: free(),
+            algorithm: Algorithm::Exact,
+            rules: RapidRules::default(),
+        })
+        .collect()
 }
 
 fn plan(scene: &Scene, query: &RapidMove) -> f64 {

@@ -108,7 +108,7 @@ fn edits_in_random_order_leave_the_scene_as_a_fresh_one() {
                     let side = if random.random_bool(0.1) { 400.0 } else { 100.0 };
                     let id = format!("o{}", random.random_range(0..40));
                     let shape = stars(&mut random, 1, side, 12.0).remove(0);
-                    let obstacle = Obstacle { id, shape, clearance_mm: None };
+                    let obstacle = Obstacle { id, shape, clearance_mm: None, top_z_mm: None };
                     fresh.obstacles.retain(|other| other.id != obstacle.id);
                     fresh.obstacles.push(obstacle.clone());
                     prepared.put_obstacle(obstacle, &Budget::unlimited()).unwrap();

@@ -7,11 +7,13 @@ use super::sights::{EditKind, Sights};
 use super::terrain::Terrain;
 use crate::barrier::Side;
 use crate::barriers::{Barriers, Parts, Rings, material_left};
-use crate::rapid_move::{ShortestRoute, plan_among};
+use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
 use crate::search::{End, Ground, Moves, Room, Route, SeenSearch};
-use crate::{Answer, RapidMove, Refusal, Stats};
+use crate::shortest_route::{MeetingBarriers, ShortestRoute};
+use crate::{Algorithm, Answer, RapidMove, Refusal, Stats};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use traverse_geometry::{Obstacle, Point, Polygon, Scene};
 use traverse_solve::{Budget, Interrupt, Observer};
 
@@ -127,11 +129,30 @@ impl PreparedScene {
         budget: &Budget,
         observer: &mut dyn Observer,
     ) -> Result<(Answer, Stats), Vec<Refusal>> {
+        if !query.rules.clearances_mm.is_empty() || query.algorithm == Algorithm::SupportingLines {
+            // What is kept is of no use at another clearance.
+            return crate::plan_rapid_move(&self.scene_now(), query, budget, observer);
+        }
         self.tidy(budget);
         let Self { scene, terrain, sights, room, .. } = self;
         let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
         let mut along = AlongSights { terrain, sights, room };
-        plan_among(&barriers, query, budget, observer, &mut along)
+        let mut stats = Stats::default();
+        let asked = Asked { barriers: &barriers, query, is_last: true, budget };
+        let answer = plan_among(asked, &mut along, &mut stats, observer)?;
+        if let Answer::Plan(_) = answer {
+            return Ok((answer, stats));
+        }
+        let answer = with_feasible_clearance(answer, &self.scene_now(), query, true, budget, &mut stats);
+        Ok((answer, stats))
+    }
+
+    /// The scene as it is now.
+    fn scene_now(&self) -> Scene {
+        let mut scene = self.scene.clone();
+        let mut place = 0..;
+        scene.obstacles.retain(|_| place.next().is_some_and(|place| self.terrain.there.has(place)));
+        scene
     }
 
     /// Takes the scene apart anew when most of what is kept is gone.
@@ -143,12 +164,8 @@ impl PreparedScene {
         if (waste as f64) < WASTE_RATIO * (waste + kept) as f64 {
             return;
         }
-        let there = self.terrain.there.clone();
-        let mut scene = self.scene.clone();
-        let mut place = 0..;
-        scene.obstacles.retain(|_| place.next().is_some_and(|place| there.has(place)));
         // A scene that is not tidied answers the same, only slower.
-        if let Ok(tidy) = Self::new(scene, budget) {
+        if let Ok(tidy) = Self::new(self.scene_now(), budget) {
             *self = tidy;
         }
     }
@@ -172,12 +189,18 @@ struct AlongSights<'a> {
 impl ShortestRoute for AlongSights<'_> {
     fn shortest(
         &mut self,
-        _barriers: &Barriers<'_>,
+        barriers: &Barriers<'_>,
+        left_out: &BTreeSet<usize>,
         [start, target]: [&End; 2],
         stats: &mut Stats,
         budget: &Budget,
         observer: &mut dyn Observer,
     ) -> (Result<Option<Route>, Interrupt>, f64) {
+        if !left_out.is_empty() {
+            // What is kept is of no use where less stands in the way.
+            let ends = [start, target];
+            return MeetingBarriers.shortest(barriers, left_out, ends, stats, budget, observer);
+        }
         let growth = Growth::new(start.point, target.point);
         let moves = Sighted {
             terrain: self.terrain,
