@@ -143,9 +143,10 @@ pub(crate) fn picture(
         point.as_ref().map_or_else(Default::default, |p| traverse_geometry::Point::new(p.x_mm, p.y_mm))
     };
     Ok(match &answer.outcome {
-        Some(Outcome::Plan(_)) => {
+        Some(Outcome::Plan(plan)) => {
             let path = path_of(answer)?.unwrap_or_else(|| Path::at(point(&request.start)));
-            picture_of_plan(scene, Shown::Path(&path), title)
+            let scene = Scene { clearance_mm: plan.clearance_mm, ..scene.clone() };
+            picture_of_plan(&scene, Shown::Path(&path), title)
         }
         Some(Outcome::NoPath(no_path)) => {
             let shown = Shown::NoPath {

@@ -208,3 +208,46 @@ fn a_machine_profile_gives_clearance_and_g_code() {
     assert_ends(&ask(&["--clearance", "4"]), 3, "--machine NAME");
     assert_ends(&ask(&["--clearance", "4", "--machine", "lathe-2"]), 2, "--machines");
 }
+
+/// A wall right across, with a gap, in a work area.
+fn wall(folder: &Path) -> String {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>\
+        <g id='WORK_AREA'><rect x='0' y='0' width='200' height='100'/></g>\
+        <g id='CLAMPS'><rect x='90' y='0' width='20' height='48'/><rect x='90' y='53' width='20' height='47'/></g></svg>";
+    let file = folder.join("wall.svg");
+    std::fs::write(&file, svg).unwrap();
+    file.display().to_string()
+}
+
+#[test]
+fn heights_clearances_and_ways_out_are_planned_drawn_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let wall = wall(folder.path());
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (request, plan, svg) = (at("request.json"), at("plan.json"), at("plan.svg"));
+    let ends = ["rapid", &wall, "--from", "20,20", "--to", "180,20"];
+    let with = |more: &[&str]| traverse(&[&ends[..], more].concat());
+    let files = ["-o", &plan, "-o", &svg, "--request", &request];
+    let check = || assert_ends(&traverse(&["check", &request, &plan]), 0, "sound");
+
+    assert_ends(&with(&["--clearance", "4"]), 4, "at a clearance of 2.5");
+    let narrow = with(&[&["--clearance", "4,2,1"][..], &files].concat());
+    assert_ends(&narrow, 0, "clearance    2 mm");
+    check();
+    let heights =
+        ["--clearance", "4", "--start-z", "1", "--highest-z", "30", "--clearance-z", "2", "--top", "25"];
+    let over = with(&[&heights[..], &files].concat());
+    assert_ends(&over, 0, "travels at   z = 27 mm");
+    assert_ends(&over, 0, "length       212.000000 mm");
+    check();
+    let picture = std::fs::read_to_string(&svg).unwrap();
+    assert!(picture.contains("at z = 27 mm") && picture.contains("obstacle passed"), "{picture}");
+    assert_ends(&with(&["--clearance", "4", "--start-z", "1"]), 2, "--highest-z");
+
+    let leave = ["--from", "88,20", "--to", "20,20", "--clearance", "4", "--leave", "nearest"];
+    let left = traverse(&[&["rapid", &wall][..], &leave, &files].concat());
+    assert_ends(&left, 0, "length       68.000000 mm");
+    check();
+    let leave = ["--from", "88,20", "--to", "20,20", "--clearance", "4", "--leave", "1,0"];
+    assert_ends(&traverse(&[&["rapid", &wall][..], &leave].concat()), 3, "has no way out");
+}
