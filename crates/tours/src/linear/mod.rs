@@ -1,0 +1,4 @@
+//! Linear programs of branch and cut.
+
+mod inverse;
+pub(crate) mod simplex;
