@@ -32,6 +32,8 @@ const SMALL_TABLE_BYTES: u64 = 24 << 20;
 const LARGE_TABLE_BYTES: u64 = 256 << 20;
 /// Kicks before the first proof is tried, and between two parts of a tree.
 const FIRST_KICKS: u64 = 3_000;
+/// The same where an order is to be kept: the bounds are weak there, and tours are worth more than proofs.
+const FIRST_ORDERED_KICKS: u64 = 30_000;
 const GUIDED_KICKS: u64 = 20_000;
 const BURST_KICKS: u64 = 3_000;
 const NODES_BETWEEN: u64 = 10;
@@ -108,7 +110,8 @@ impl Climb<'_> {
         let duals = (assignment.row.as_slice(), assignment.column.as_slice());
         let mut local = GuidedSearch::new(network, visits, duals, seed.part(0), work)?;
         let first = local.first_tour(&assignment.successor, progress, work)?;
-        local.improve(FIRST_KICKS, &first, progress, work)?;
+        let kicks = if network.precedence.is_empty() { FIRST_KICKS } else { FIRST_ORDERED_KICKS };
+        local.improve(kicks, &first, progress, work)?;
         if progress.is_proven() {
             return Ok(Ending::ProvenOptimal);
         }

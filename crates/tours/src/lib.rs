@@ -21,6 +21,8 @@ mod moves;
 mod neighbours;
 mod network;
 mod options;
+#[cfg(test)]
+mod oracle_tests;
 mod patching;
 mod precedence;
 mod progress;

@@ -46,9 +46,10 @@ impl Network {
                 members.push(vec![node; quantity]);
             }
         }
-        let anchored = specification.shape == Shape::Path
-            || ordered
-            || (specification.first.is_some() && specification.last.is_some());
+        let ends = specification.first.is_some() && specification.last.is_some();
+        // A single visit has no arcs, whatever its ends.
+        let several = members.len() > 1 || members.first().is_some_and(|nodes| nodes.len() > 1);
+        let anchored = several && (specification.shape == Shape::Path || ordered || ends);
         let inner = members.len();
         let size = inner + usize::from(anchored);
         let depot = anchored.then_some(inner);

@@ -10,6 +10,8 @@ pub(crate) struct Precedence {
     pub(crate) successors: Vec<Vec<usize>>,
     /// All nodes before each node.
     pub(crate) predecessors: Vec<Vec<usize>>,
+    successor_bits: Vec<u64>,
+    predecessor_bits: Vec<u64>,
 }
 
 impl Precedence {
@@ -48,14 +50,34 @@ impl Precedence {
             }
         }
         let related = |from: usize, to: usize| before[from * size + to];
-        let successors = (0..size).map(|a| (0..size).filter(|&b| related(a, b)).collect()).collect();
-        let predecessors = (0..size).map(|b| (0..size).filter(|&a| related(a, b)).collect()).collect();
-        Ok(Self { size, before, successors, predecessors })
+        let successors: Vec<Vec<usize>> =
+            (0..size).map(|a| (0..size).filter(|&b| related(a, b)).collect()).collect();
+        let predecessors: Vec<Vec<usize>> =
+            (0..size).map(|b| (0..size).filter(|&a| related(a, b)).collect()).collect();
+        let (successor_bits, predecessor_bits) = (bits(size, &successors), bits(size, &predecessors));
+        Ok(Self { size, before, successors, predecessors, successor_bits, predecessor_bits })
     }
 
     /// No order at all.
     pub(crate) fn none(size: usize) -> Self {
-        Self { size, before: vec![], successors: vec![vec![]; size], predecessors: vec![vec![]; size] }
+        Self {
+            size,
+            before: vec![],
+            successors: vec![vec![]; size],
+            predecessors: vec![vec![]; size],
+            successor_bits: vec![],
+            predecessor_bits: vec![],
+        }
+    }
+
+    /// The node's successors as bits, 64 to a word.
+    pub(crate) fn successor_bits(&self, node: usize) -> &[u64] {
+        row(&self.successor_bits, self.size, node)
+    }
+
+    /// The node's predecessors as bits, 64 to a word.
+    pub(crate) fn predecessor_bits(&self, node: usize) -> &[u64] {
+        row(&self.predecessor_bits, self.size, node)
     }
 
     /// Whether `a` must come before `b`.
@@ -83,6 +105,22 @@ impl Precedence {
             !self.successors[node].iter().any(|&later| seen[later])
         })
     }
+}
+
+fn bits(size: usize, lists: &[Vec<usize>]) -> Vec<u64> {
+    let words = size.div_ceil(64);
+    let mut bits = vec![0; size * words];
+    for (node, list) in lists.iter().enumerate() {
+        for &other in list {
+            bits[node * words + other / 64] |= 1 << (other % 64);
+        }
+    }
+    bits
+}
+
+fn row(bits: &[u64], size: usize, node: usize) -> &[u64] {
+    let words = size.div_ceil(64);
+    if bits.is_empty() { &[] } else { &bits[node * words..][..words] }
 }
 
 #[cfg(test)]

@@ -80,7 +80,7 @@ pub fn read_tsplib(text: &str) -> Result<TourSpecification, TsplibError> {
             "EDGE_WEIGHT_SECTION" => {
                 let most = header.most_weights()?;
                 let mut numbers = vec![];
-                while let Some((line, row)) = lines.next_if(|(_, row)| begins_with_number(row)) {
+                while let Some((line, row)) = lines.next_if(|(_, row)| row.is_empty() || begins_with_number(row)) {
                     for word in row.split_whitespace() {
                         numbers.push(weight(line, word)?);
                         if numbers.len() > most {

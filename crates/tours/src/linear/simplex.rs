@@ -95,7 +95,8 @@ impl Simplex {
         self.right.len()
     }
 
-    /// A new column at whichever bound keeps the duals feasible; its number. `upper` is finite.
+    /// A new column at whichever bound keeps the duals feasible; its number. `upper` is finite. Call
+    /// `refresh_values` when all are there.
     pub(crate) fn add_column(&mut self, cost: f64, upper: f64, entries: Vec<(usize, f64)>) -> usize {
         let duals = self.duals();
         self.add_priced_column(cost, upper, entries, &duals)
@@ -462,6 +463,7 @@ mod tests {
                     matrix[row].0.push(value);
                 }
             }
+            simplex.refresh_values();
             for step in 0..4 {
                 let ending = simplex.solve(1000, &work).expect("no limit");
                 let mut problem = Problem::new(OptimizationDirection::Minimize);

@@ -1,37 +1,38 @@
 //! The path-preserving 3-exchange with labels (Gambardella and Dorigo 2000).
 //!
 //! Two neighbouring segments may change places when nothing in the first must come before something in the second.
-//! While the first segment grows by a node, that node's successors are marked; the second grows until it meets a
-//! marked node. So every trial is decided in constant time, and all trials from one place cost O(n²).
+//! While the first segment grows by a node, that node's successors (a few words of bits) are marked; the second grows until it meets a
+//! marked node. So every trial is decided in constant time, and all trials from one place cost O(n²). Costs are
+//! never negative here, so that the dearest arc of the path bounds what a third arc can save, and most second
+//! segments need not be grown at all.
 
 use super::path::{Exchange, Path};
 use crate::cost::Costs;
 use crate::precedence::Precedence;
 
-/// Marks of nodes that the growing segment shuts out.
+/// Nodes that the growing segment shuts out, as bits.
 #[derive(Clone, Debug)]
 pub(super) struct Labels {
-    mark: Vec<u64>,
-    stamp: u64,
+    bits: Vec<u64>,
 }
 
 impl Labels {
     pub(super) fn new(size: usize) -> Self {
-        Self { mark: vec![0; size], stamp: 0 }
+        Self { bits: vec![0; size.div_ceil(64)] }
     }
 
     fn clear(&mut self) {
-        self.stamp += 1;
+        self.bits.fill(0);
     }
 
-    fn shut_out(&mut self, nodes: &[usize]) {
-        for &node in nodes {
-            self.mark[node] = self.stamp;
+    fn shut_out(&mut self, nodes: &[u64]) {
+        for (bits, more) in self.bits.iter_mut().zip(nodes) {
+            *bits |= more;
         }
     }
 
     fn is_shut_out(&self, node: usize) -> bool {
-        self.mark[node] == self.stamp
+        self.bits[node / 64] >> (node % 64) & 1 == 1
     }
 }
 
@@ -41,6 +42,7 @@ pub(super) fn forward(
     precedence: &Precedence,
     path: &Path,
     before: usize,
+    dearest: i64,
     labels: &mut Labels,
 ) -> Option<(Exchange, i64)> {
     labels.clear();
@@ -50,9 +52,12 @@ pub(super) fn forward(
     let mut least = 0;
     let first_out = costs.cost(start, first);
     for middle in before + 1..end_of_path.saturating_sub(1) {
-        labels.shut_out(&precedence.successors[path.at(middle)]);
+        labels.shut_out(precedence.successor_bits(path.at(middle)));
         let (inner, second) = (path.at(middle), path.at(middle + 1));
         let part = first_out + costs.cost(inner, second) - costs.cost(start, second);
+        if part + dearest <= least {
+            continue;
+        }
         let mut last = second;
         for end in middle + 1..end_of_path {
             if labels.is_shut_out(last) {
@@ -76,6 +81,7 @@ pub(super) fn backward(
     precedence: &Precedence,
     path: &Path,
     end: usize,
+    dearest: i64,
     labels: &mut Labels,
 ) -> Option<(Exchange, i64)> {
     labels.clear();
@@ -84,9 +90,12 @@ pub(super) fn backward(
     let mut least = 0;
     let last_out = costs.cost(last, next);
     for middle in (1..end).rev() {
-        labels.shut_out(&precedence.predecessors[path.at(middle + 1)]);
+        labels.shut_out(precedence.predecessor_bits(path.at(middle + 1)));
         let (inner, second) = (path.at(middle), path.at(middle + 1));
         let part = last_out + costs.cost(inner, second) - costs.cost(inner, next);
+        if part + dearest <= least {
+            continue;
+        }
         let mut first = inner;
         for before in (0..middle).rev() {
             if labels.is_shut_out(first) {
@@ -108,7 +117,7 @@ pub(super) fn backward(
 pub(super) fn is_allowed(precedence: &Precedence, path: &Path, exchange: Exchange, labels: &mut Labels) -> bool {
     labels.clear();
     for position in exchange.before + 1..=exchange.middle {
-        labels.shut_out(&precedence.successors[path.at(position)]);
+        labels.shut_out(precedence.successor_bits(path.at(position)));
     }
     (exchange.middle + 1..=exchange.end).all(|position| !labels.is_shut_out(path.at(position)))
 }

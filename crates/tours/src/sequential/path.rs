@@ -1,5 +1,7 @@
 //! A path from the depot back to it, as an array: segments swap, nothing turns round.
 
+use crate::cost::Costs;
+
 /// A path; the depot stands at both ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Path {
@@ -39,6 +41,11 @@ impl Path {
     /// The position of the depot's second appearance.
     pub(super) fn end(&self) -> usize {
         self.nodes.len() - 1
+    }
+
+    /// What the dearest arc costs.
+    pub(super) fn dearest(&self, costs: &impl Costs) -> i64 {
+        self.nodes.windows(2).map(|pair| costs.cost(pair[0], pair[1])).max().unwrap_or(0)
     }
 
     /// The walk, depot first, without its return.

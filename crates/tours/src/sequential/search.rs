@@ -56,7 +56,7 @@ pub(crate) fn greedy_order(costs: &impl Costs, precedence: &Precedence, depot: u
 }
 
 impl<'a, C: Costs> SequentialSearch<'a, C> {
-    /// Begins with a walk that keeps the order and begins at the depot.
+    /// Begins with a walk that keeps the order and begins at the depot. Costs must not be negative.
     pub(crate) fn new(
         costs: &'a C,
         precedence: &'a Precedence,
@@ -109,11 +109,12 @@ impl<'a, C: Costs> SequentialSearch<'a, C> {
             loop {
                 let at = self.path.position(node);
                 let (costs, order) = (self.costs, self.precedence);
+                let dearest = self.path.dearest(costs);
                 let found = (at + 1 < self.path.end())
-                    .then(|| forward(costs, order, &self.path, at, &mut self.labels))
+                    .then(|| forward(costs, order, &self.path, at, dearest, &mut self.labels))
                     .flatten()
                     .or_else(|| {
-                        (at > 1).then(|| backward(costs, order, &self.path, at, &mut self.labels)).flatten()
+                        (at > 1).then(|| backward(costs, order, &self.path, at, dearest, &mut self.labels)).flatten()
                     });
                 let Some((exchange, saving)) = found else { break };
                 self.make(exchange, saving);
@@ -166,10 +167,12 @@ impl<'a, C: Costs> SequentialSearch<'a, C> {
     /// One random exchange that keeps the order.
     fn kick(&mut self) {
         let end = self.path.end();
-        for _ in 0..20 {
+        for attempt in 0..20 {
+            // Where much is ordered only short segments can move.
+            let longest = (KICK_LENGTH >> (attempt / 4)).max(2);
             let before = self.chance.random_range(0..end - 2);
-            let middle = before + self.chance.random_range(1..=KICK_LENGTH.min(end - 2 - before));
-            let last = middle + self.chance.random_range(1..=KICK_LENGTH.min(end - 1 - middle));
+            let middle = before + self.chance.random_range(1..=longest.min(end - 2 - before));
+            let last = middle + self.chance.random_range(1..=longest.min(end - 1 - middle));
             let exchange = Exchange { before, middle, end: last };
             if is_allowed(self.precedence, &self.path, exchange, &mut self.labels) {
                 let saving = exchange.saving(&self.path, |from, to| self.costs.cost(from, to));
