@@ -46,9 +46,10 @@ fn main() {
 
 fn row(file: &str, effort: &Effort, options: &SolveOptions, trace: bool) {
     let name = file.rsplit('/').next().unwrap_or(file);
-    let specification = match std::fs::read_to_string(file).map_err(|error| error.to_string()).and_then(|text| {
-        read_tsplib(&text).map_err(|error| error.to_string())
-    }) {
+    let specification = match std::fs::read_to_string(file)
+        .map_err(|error| error.to_string())
+        .and_then(|text| read_tsplib(&text).map_err(|error| error.to_string()))
+    {
         Ok(specification) => specification,
         Err(error) => return println!("{name}: {error}"),
     };

@@ -132,7 +132,8 @@ impl Assignment {
                 }
                 let length = scratch.distance[to];
                 // A free column among equals ends the search at once.
-                if length < nearest.0 || (length == nearest.0 && length != FORBIDDEN && self.predecessor[to] == FREE)
+                if length < nearest.0
+                    || (length == nearest.0 && length != FORBIDDEN && self.predecessor[to] == FREE)
                 {
                     nearest = (length, at);
                 }
@@ -241,7 +242,8 @@ mod tests {
                 entries[row * size + assignment.successor[row]] = FORBIDDEN;
                 costs = CostMatrix::new(size, entries).expect("still small");
                 assignment.release(row);
-                let again = assignment.augment(&costs, row, &mut Scratch::new(size), &work).expect("no limit");
+                let again =
+                    assignment.augment(&costs, row, &mut Scratch::new(size), &work).expect("no limit");
                 if again == Matched::None {
                     break;
                 }

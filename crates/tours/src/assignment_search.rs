@@ -198,9 +198,14 @@ fn divide<C: Costs>(
 ) -> Vec<Child> {
     let successor = &node.assignment.successor;
     let open = |circle: &[usize]| circle.iter().filter(|&&from| decided.next[from] == FREE).count();
-    let Some(circle) = circles.iter().min_by_key(|circle| (open(circle), circle.len())) else { return vec![] };
-    let arcs: Vec<(usize, usize)> =
-        circle.iter().filter(|&&from| decided.next[from] == FREE).map(|&from| (from, successor[from])).collect();
+    let Some(circle) = circles.iter().min_by_key(|circle| (open(circle), circle.len())) else {
+        return vec![];
+    };
+    let arcs: Vec<(usize, usize)> = circle
+        .iter()
+        .filter(|&&from| decided.next[from] == FREE)
+        .map(|&from| (from, successor[from]))
+        .collect();
     let link = |decision, before: &Option<Rc<Link>>| Some(Rc::new(Link { decision, before: before.clone() }));
     match branching {
         Branching::OneArc => {

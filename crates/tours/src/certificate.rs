@@ -26,6 +26,14 @@ pub struct Certificate {
 }
 
 impl Certificate {
+    /// The cheapest arc out of each node, a certificate that costs nothing, with the bound.
+    pub(crate) fn row_minima(costs: &[i64], counts: &[u32]) -> (Self, i64) {
+        let least = |row: &[i64]| row.iter().copied().filter(|&cost| cost != FORBIDDEN).min().unwrap_or(0);
+        let row: Vec<i64> = costs.chunks(counts.len()).map(least).collect();
+        let bound = row.iter().zip(counts).map(|(dual, &count)| dual * i64::from(count)).sum();
+        (Self { parts: 1, row, column: vec![0; counts.len()], sets: vec![] }, bound)
+    }
+
     /// From duals of types to duals of the nodes that they stand for, with the bound.
     pub(crate) fn expanded(
         nodes: usize,
@@ -83,7 +91,9 @@ pub enum CertificateFault {
         parts: i64,
     },
     /// A set that a tour need not leave, or a negative weight.
-    #[error("set {set} proves nothing: it needs some but not all nodes, each once, and a weight of 0 at least")]
+    #[error(
+        "set {set} proves nothing: it needs some but not all nodes, each once, and a weight of 0 at least"
+    )]
     Set {
         /// Number of the set.
         set: usize,

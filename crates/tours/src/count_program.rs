@@ -128,7 +128,9 @@ impl CountProgram<'_> {
 
     /// Whether everything that comes before the type was visited, and nothing that comes after.
     fn may_come(&self, node: usize, digits: &[u64]) -> bool {
-        self.precedence.predecessors[node].iter().all(|&before| digits[before] == u64::from(self.counts[before]))
+        self.precedence.predecessors[node]
+            .iter()
+            .all(|&before| digits[before] == u64::from(self.counts[before]))
     }
 
     fn trace<T: Total>(&self, best: &[T], into: &[T], weights: &[usize], states: usize) -> Walk {

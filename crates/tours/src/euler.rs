@@ -42,7 +42,8 @@ mod tests {
 
     #[test]
     fn walks_use_every_arc_and_parts_have_none() {
-        let walk = closed_walk(3, &[(0, 0, 2), (0, 1, 1), (1, 2, 1), (2, 1, 1), (1, 0, 1)]).expect("connected");
+        let walk =
+            closed_walk(3, &[(0, 0, 2), (0, 1, 1), (1, 2, 1), (2, 1, 1), (1, 0, 1)]).expect("connected");
         assert_eq!(walk.len(), 6);
         assert_eq!(closed_walk(4, &[(0, 1, 1), (1, 0, 1), (2, 3, 1), (3, 2, 1)]), None);
         assert_eq!(closed_walk(2, &[]), None);

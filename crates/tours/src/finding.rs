@@ -74,6 +74,9 @@ pub enum Finding {
         /// What is to come later.
         after: usize,
     },
+    /// A published method that knows no order.
+    #[error("method keeps no precedence: use the ladder")]
+    MethodWithoutPrecedence,
     /// A circle without a beginning has no before and after.
     #[error("precedence in a cycle needs first or last")]
     PrecedenceWithoutEnds,

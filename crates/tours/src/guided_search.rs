@@ -24,7 +24,7 @@ const BURST: u64 = 500;
 pub(crate) struct GuidedSearch<'a> {
     network: &'a Network,
     visits: &'a Visits<'a>,
-    guide: GuideCosts,
+    guide: GuideCosts<'a, Visits<'a>>,
     neighbours: Neighbours,
     seed: Seed,
     runs: u64,
@@ -35,11 +35,11 @@ impl<'a> GuidedSearch<'a> {
     pub(crate) fn new(
         network: &'a Network,
         visits: &'a Visits<'a>,
-        duals: (&[i64], &[i64]),
+        duals: (&'a [i64], &'a [i64]),
         seed: Seed,
         work: &Work<'_>,
     ) -> Result<Self, Interrupt> {
-        let guide = GuideCosts::of(visits, duals.0, duals.1);
+        let guide = GuideCosts::of(visits, duals.0, duals.1, work)?;
         let neighbours = Neighbours::cheapest(&guide, WIDTH, work)?;
         Ok(Self { network, visits, guide, neighbours, seed, runs: 0 })
     }

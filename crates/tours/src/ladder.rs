@@ -6,13 +6,13 @@
 //! closure's program decides what consists of many equal nodes. 8. Branch and cut and local search take turns, or
 //! go side by side on two threads.
 
+use crate::TourSpecification;
 use crate::answer::{Ending, Tour, TourAnswer};
 use crate::assignment::{Assignment, Matched};
 use crate::assignment_search::{Branching, Incumbent, Searched, search};
 use crate::branch_and_cut::{BranchAndCut, Closed, LARGEST_SIZE, RootDuals};
 use crate::certificate::Certificate;
 use crate::closure::Closure;
-use crate::cost::FORBIDDEN;
 use crate::count_program::{CountProgram, Walk};
 use crate::exact_bound::{Duals, PARTS};
 use crate::guided_search::GuidedSearch;
@@ -22,7 +22,6 @@ use crate::progress::{Progress, Shared};
 use crate::types::collapse;
 use crate::visits::Visits;
 use crate::work::Work;
-use crate::TourSpecification;
 use std::sync::atomic::{AtomicBool, Ordering};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
@@ -50,7 +49,7 @@ pub(crate) fn climb(
 ) -> TourAnswer {
     let mut work = Work::new(budget);
     let mut progress = Progress::new(observer);
-    let mut certificate = row_minima(full);
+    let mut certificate = Certificate::row_minima(full.entries(), &full.counts);
     progress.raise_bound(certificate.1);
     // Without time to look for equal nodes there is none for anything else.
     let (network, members) = collapse(full, &work)
@@ -65,8 +64,7 @@ pub(crate) fn climb(
     let ending = if progress.is_proven() { Ending::ProvenOptimal } else { ending };
     progress.raise_bound(certificate.1);
     let (best, lower_bound) = progress.into_found();
-    let tour =
-        best.map(|(walk, cost)| Tour { visits: network.visits_of(&walk, specification), cost });
+    let tour = best.map(|(walk, cost)| Tour { visits: network.visits_of(&walk, specification), cost });
     TourAnswer {
         tour,
         lower_bound,
@@ -75,14 +73,6 @@ pub(crate) fn climb(
         ending,
         iterations: work.iterations(),
     }
-}
-
-/// The cheapest arc out of each node: a certificate that costs nothing.
-fn row_minima(network: &Network) -> (Certificate, i64) {
-    let least = |row: &[i64]| row.iter().copied().filter(|&cost| cost != FORBIDDEN).min().unwrap_or(0);
-    let row: Vec<i64> = network.entries().chunks(network.size).map(least).collect();
-    let bound = row.iter().zip(&network.counts).map(|(dual, &count)| dual * i64::from(count)).sum();
-    (Certificate { parts: 1, row, column: vec![0; network.size], sets: vec![] }, bound)
 }
 
 struct Climb<'a> {
@@ -261,10 +251,11 @@ fn closed_or_open(progress: &mut Progress<'_>) -> Ending {
     if progress.is_proven() { Ending::ProvenOptimal } else { Ending::Exhausted }
 }
 
-struct Offers<'a, 'b> {
-    network: &'a Network,
-    visits: &'a Visits<'a>,
-    progress: &'a mut Progress<'b>,
+/// Takes tours of visits over.
+pub(crate) struct Offers<'a, 'b> {
+    pub(crate) network: &'a Network,
+    pub(crate) visits: &'a Visits<'a>,
+    pub(crate) progress: &'a mut Progress<'b>,
 }
 
 impl Incumbent for Offers<'_, '_> {

@@ -128,7 +128,8 @@ impl Network {
 
     /// The closed walk through the types, as visits of the specification's nodes from the first to the last.
     pub(crate) fn visits_of(&self, walk: &[usize], specification: &TourSpecification) -> Vec<usize> {
-        let mut left: Vec<std::slice::Iter<'_, usize>> = self.members.iter().map(|nodes| nodes.iter()).collect();
+        let mut left: Vec<std::slice::Iter<'_, usize>> =
+            self.members.iter().map(|nodes| nodes.iter()).collect();
         let begin = match self.depot {
             Some(depot) => walk.iter().position(|&at| at == depot).unwrap_or(0),
             None => 0,
@@ -138,7 +139,9 @@ impl Network {
         if self.depot.is_none() {
             if let Some(at) = specification.first.and_then(|node| visits.iter().position(|&v| v == node)) {
                 visits.rotate_left(at);
-            } else if let Some(at) = specification.last.and_then(|node| visits.iter().position(|&v| v == node)) {
+            } else if let Some(at) =
+                specification.last.and_then(|node| visits.iter().position(|&v| v == node))
+            {
                 visits.rotate_left(at + 1);
             }
         }

@@ -15,7 +15,7 @@ use crate::test_support::{brute_force, cost_of, random_matrix};
 use crate::types::collapse;
 use crate::visits::Visits;
 use crate::work::Work;
-use crate::{CostMatrix, Ending, SolveOptions, solve};
+use crate::{CostMatrix, Ending, Method, SectionModel, SolveOptions, order_with_every_end, solve};
 use rand::RngExt;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use traverse_solve::{Budget, Seed, Silent, Trace};
@@ -69,7 +69,11 @@ fn with_an_equal_node(matrix: &CostMatrix, node: usize) -> CostMatrix {
 }
 
 /// Calls `check` with random specifications that can be solved, and their optima.
-fn for_random_cases(seed: u64, count: usize, mut check: impl FnMut(&TourSpecification, &Network, Option<i64>)) {
+fn for_random_cases(
+    seed: u64,
+    count: usize,
+    mut check: impl FnMut(&TourSpecification, &Network, Option<i64>),
+) {
     let mut chance = Seed(seed).stream();
     let (mut done, mut solved) = (0, 0);
     while done < count {
@@ -267,6 +271,93 @@ fn forbidden_arcs_are_never_used() {
         let Some(tour) = answer.tour else { return };
         for pair in tour.visits.windows(2) {
             assert_ne!(specification.costs.cost(pair[0], pair[1]), FORBIDDEN);
+        }
+    });
+}
+
+#[test]
+fn branch_and_cut_agrees_with_the_count_program_beyond_brute_force() {
+    let mut chance = Seed(8).stream();
+    for round in 0..60 {
+        let size = chance.random_range(9..=13);
+        let matrix = random_matrix(size, if round % 2 == 0 { 0..=9 } else { 0..=1000 }, 0.1, &mut chance);
+        let mut specification = TourSpecification::path(matrix);
+        if round % 3 == 0 {
+            specification.precedence = vec![(0, 1), (1, 2), (3, 1), (4, 5)];
+        } else if round % 3 == 1 {
+            specification.quantities = (0..size).map(|node| 1 + u32::from(node % 4 == 0)).collect();
+        }
+        let network = Network::of(&specification);
+        let budget = Budget::unlimited();
+        let mut work = Work::new(&budget);
+        let program = CountProgram {
+            costs: network.entries(),
+            counts: &network.counts,
+            begin: network.size - 1,
+            precedence: &network.precedence,
+        };
+        let optimum = match program.solve(&work).expect("no limit") {
+            Walk::Cheapest(_, cost) => Some(cost),
+            Walk::None => None,
+        };
+        let visits = Visits::of(&network);
+        let (assignment, matched) = Assignment::solve(&visits, &work).expect("no limit");
+        if matched == Matched::None {
+            assert_eq!(optimum, None);
+            continue;
+        }
+        let (row, column) = (visits.type_duals(&assignment.row), visits.type_duals(&assignment.column));
+        let mut silent = Silent;
+        let mut progress = Progress::new(&mut silent);
+        let mut tree = BranchAndCut::new(&network, &row, &column, &mut progress);
+        tree.root(&mut progress, &mut work).expect("no limit");
+        assert!(tree.grow(u64::MAX, &mut progress, &mut work).expect("no limit"));
+        assert_eq!(tree.closed(), Closed::Yes);
+        assert_eq!(progress.best().map(|best| best.1), optimum, "{specification:?}");
+    }
+}
+
+#[test]
+fn both_published_models_and_every_end_give_the_order_that_one_path_gives() {
+    let mut chance = Seed(10).stream();
+    for _ in 0..40 {
+        let sections = chance.random_range(2..=7);
+        let effects = random_matrix(sections, 0..=50, 0.1, &mut chance).entries().to_vec();
+        let negated = effects.iter().map(|&effect| if effect == FORBIDDEN { FORBIDDEN } else { -effect });
+        let path = TourSpecification::path(CostMatrix::new(sections, negated.collect()).expect("small"));
+        let optimum = brute_force(&path).map(|cost| -cost);
+        for model in [SectionModel::ShareOfLength { whole_length: 1000 }, SectionModel::Complement] {
+            for method in [Method::Ladder, Method::BranchAndBound] {
+                let best = order_with_every_end(&effects, sections, model, method, &Budget::unlimited());
+                let best = best.expect("small effects").map(|(_, saved)| saved);
+                // A circuit must exist with the end held: where forbidden joins leave a path there is one.
+                assert_eq!(best, optimum, "{model:?} {method:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn published_methods_give_tours_that_cost_what_they_say() {
+    for_random_cases(11, 150, |specification, _, optimum| {
+        if !specification.precedence.is_empty() {
+            return;
+        }
+        for method in [Method::BranchAndBound, Method::AntColony, Method::SuccessiveImprovement] {
+            let budget = Budget { iterations: Some(2000), ..Budget::unlimited() };
+            let options = SolveOptions { method, ..SolveOptions::default() };
+            let answer = solve(specification, &options, &budget, &mut Silent).expect("no findings");
+            let proven = verify_certificate(specification, &answer.certificate);
+            assert_eq!(proven, Ok(answer.certified_bound), "{specification:?}");
+            match (&answer.tour, optimum) {
+                (Some(tour), Some(optimum)) => {
+                    assert_eq!(cost_of(specification, &tour.visits), Some(tour.cost));
+                    assert!(tour.cost >= optimum && answer.lower_bound <= optimum);
+                    assert!(method != Method::BranchAndBound || tour.cost == optimum, "{specification:?}");
+                }
+                (None, Some(_)) => assert_ne!(method, Method::BranchAndBound, "{specification:?}"),
+                (tour, None) => assert_eq!(*tour, None),
+            }
         }
     });
 }

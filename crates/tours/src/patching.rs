@@ -6,7 +6,11 @@ use crate::work::Work;
 use traverse_solve::Interrupt;
 
 /// A tour from the successors of an assignment. Every arc must have a cost that can be added.
-pub(crate) fn patch(costs: &impl Costs, successor: &[usize], work: &Work<'_>) -> Result<Vec<usize>, Interrupt> {
+pub(crate) fn patch(
+    costs: &impl Costs,
+    successor: &[usize],
+    work: &Work<'_>,
+) -> Result<Vec<usize>, Interrupt> {
     let mut next = successor.to_vec();
     let mut circles = circles_of(&next);
     circles.sort_by_key(Vec::len);

@@ -3,8 +3,8 @@
 use crate::answer::{Ending, Tour, TourAnswer};
 use crate::certificate::Certificate;
 use crate::network::Network;
-use crate::options::SolveOptions;
-use crate::{Finding, TourSpecification, ladder};
+use crate::options::{Method, SolveOptions};
+use crate::{Finding, TourSpecification, ladder, published};
 use traverse_solve::{Budget, Observer};
 
 /// Orders what is to be ordered.
@@ -17,7 +17,10 @@ pub fn solve(
     budget: &Budget,
     observer: &mut dyn Observer,
 ) -> Result<TourAnswer, Vec<Finding>> {
-    let findings = specification.findings();
+    let mut findings = specification.findings();
+    if options.method != Method::Ladder && !specification.precedence.is_empty() {
+        findings.push(Finding::MethodWithoutPrecedence);
+    }
     if !findings.is_empty() {
         return Err(findings);
     }
@@ -35,5 +38,8 @@ pub fn solve(
             iterations: 0,
         });
     }
-    Ok(ladder::climb(specification, &network, options, budget, observer))
+    Ok(match options.method {
+        Method::Ladder => ladder::climb(specification, &network, options, budget, observer),
+        _ => published::run(specification, &network, options, budget, observer),
+    })
 }

@@ -101,9 +101,8 @@ impl TourSpecification {
                     self.first == Some(after) || self.last == Some(before)
                 };
                 let wrong = self.precedence.iter().filter(against);
-                findings.extend(
-                    wrong.map(|&(before, after)| Finding::PrecedenceAgainstEnds { before, after }),
-                );
+                findings
+                    .extend(wrong.map(|&(before, after)| Finding::PrecedenceAgainstEnds { before, after }));
             }
         }
     }

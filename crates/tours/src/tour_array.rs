@@ -115,7 +115,8 @@ mod tests {
                     let swap = tour.swap(node, first, second);
                     let turned: Vec<usize> = (0..size).map(|step| (node + step) % size).collect();
                     let expected =
-                        [&turned[first..first + second], &turned[..first], &turned[first + second..]].concat();
+                        [&turned[first..first + second], &turned[..first], &turned[first + second..]]
+                            .concat();
                     for (step, &at) in expected.iter().enumerate() {
                         assert_eq!(tour.next(at), expected[(step + 1) % size], "{node} {first} {second}");
                         assert_eq!(tour.previous(tour.next(at)), at);

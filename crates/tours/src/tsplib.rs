@@ -80,11 +80,16 @@ pub fn read_tsplib(text: &str) -> Result<TourSpecification, TsplibError> {
             "EDGE_WEIGHT_SECTION" => {
                 let most = header.most_weights()?;
                 let mut numbers = vec![];
-                while let Some((line, row)) = lines.next_if(|(_, row)| row.is_empty() || begins_with_number(row)) {
+                while let Some((line, row)) =
+                    lines.next_if(|(_, row)| row.is_empty() || begins_with_number(row))
+                {
                     for word in row.split_whitespace() {
                         numbers.push(weight(line, word)?);
                         if numbers.len() > most {
-                            return Err(TsplibError::WeightCount { found: numbers.len(), expected: most });
+                            return Err(TsplibError::WeightCount {
+                                found: numbers.len(),
+                                expected: most - 1,
+                            });
                         }
                     }
                 }
@@ -156,7 +161,8 @@ impl Header {
     }
 
     fn dimension(&self) -> Result<usize, TsplibError> {
-        self.dimension.ok_or(TsplibError::Missing { what: "DIMENSION", expected: "it stands before the weights" })
+        self.dimension
+            .ok_or(TsplibError::Missing { what: "DIMENSION", expected: "it stands before the weights" })
     }
 
     fn format(&self) -> Format {

@@ -2,6 +2,8 @@
 
 use crate::cost::{Costs, FORBIDDEN};
 use crate::network::Network;
+use crate::work::Work;
+use traverse_solve::Interrupt;
 
 /// A network with one node for each visit. The arc from a visit to itself stands for one to another visit of its
 /// type, so that an assignment is a relaxation for types as well.
@@ -59,46 +61,67 @@ impl Costs for Visits<'_> {
 }
 
 /// Costs less duals, forbidden arcs so dear that none stays in a tour that can do without: what local search sees.
-/// The same tours are best as with the costs, and the arcs that matter are the cheap ones.
+/// The same tours are best as with the costs, and the arcs that matter are the cheap ones. Never negative when the
+/// duals are feasible. Kept as a matrix while that is small, computed when asked for otherwise.
 #[derive(Clone, Debug)]
-pub(crate) struct GuideCosts {
-    size: usize,
+pub(crate) struct GuideCosts<'a, C> {
+    costs: &'a C,
+    row: &'a [i64],
+    column: &'a [i64],
+    penalty: i64,
     entries: Vec<i64>,
 }
 
-impl GuideCosts {
-    /// From costs of visits and duals of visits.
-    pub(crate) fn of(costs: &impl Costs, row: &[i64], column: &[i64]) -> Self {
+/// Nodes up to which costs are kept as a matrix of 32 MB.
+const LARGEST_MATRIX: usize = 2_000;
+
+impl<'a, C: Costs> GuideCosts<'a, C> {
+    /// From costs and duals of the same nodes.
+    pub(crate) fn of(
+        costs: &'a C,
+        row: &'a [i64],
+        column: &'a [i64],
+        work: &Work<'_>,
+    ) -> Result<Self, Interrupt> {
         let size = costs.size();
-        let mut entries = Vec::with_capacity(size * size);
+        let mut guide = Self { costs, row, column, penalty: FORBIDDEN, entries: vec![] };
         let mut largest = 1;
         for from in 0..size {
+            work.breathe()?;
             for to in 0..size {
-                let cost = costs.cost(from, to);
-                let left = if cost == FORBIDDEN { FORBIDDEN } else { cost - row[from] - column[to] };
+                let left = guide.cost(from, to);
                 if left != FORBIDDEN {
                     largest = largest.max(left.abs());
                 }
-                entries.push(left);
             }
         }
         // Sums of as many penalties as there are visits must fit.
         let penalty = largest.saturating_mul(size as i64 + 1).min(i64::MAX / 4 / (size as i64 + 4));
-        for entry in &mut entries {
-            if *entry == FORBIDDEN {
-                *entry = penalty;
+        guide.penalty = penalty;
+        if size <= LARGEST_MATRIX {
+            let mut entries = Vec::with_capacity(size * size);
+            for from in 0..size {
+                work.breathe()?;
+                entries.extend((0..size).map(|to| guide.cost(from, to)));
             }
+            guide.entries = entries;
         }
-        Self { size, entries }
+        Ok(guide)
     }
 }
 
-impl Costs for GuideCosts {
+impl<C: Costs> Costs for GuideCosts<'_, C> {
     fn size(&self) -> usize {
-        self.size
+        self.costs.size()
     }
 
     fn cost(&self, from: usize, to: usize) -> i64 {
-        self.entries[from * self.size + to]
+        if !self.entries.is_empty() {
+            return self.entries[from * self.costs.size() + to];
+        }
+        match self.costs.cost(from, to) {
+            FORBIDDEN => self.penalty,
+            cost => cost - self.row[from] - self.column[to],
+        }
     }
 }

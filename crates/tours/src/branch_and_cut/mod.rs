@@ -18,7 +18,7 @@ use traverse_solve::Interrupt;
 use tree::{Node, Tree};
 
 /// The most types of a network that this is tried on.
-pub(crate) const LARGEST_SIZE: usize = 700;
+pub(crate) const LARGEST_SIZE: usize = 500;
 
 /// How branch and cut ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +42,12 @@ pub(crate) struct BranchAndCut<'a> {
 
 impl<'a> BranchAndCut<'a> {
     /// Begins from feasible duals, one for each row and column.
-    pub(crate) fn new(network: &'a Network, row: &[i64], column: &[i64], progress: &mut Progress<'_>) -> Self {
+    pub(crate) fn new(
+        network: &'a Network,
+        row: &[i64],
+        column: &[i64],
+        progress: &mut Progress<'_>,
+    ) -> Self {
         let relaxation = Relaxation::new(network, row, column, progress);
         Self { network, relaxation, tree: Tree::default(), closed: Closed::Yes }
     }

@@ -11,8 +11,8 @@ use crate::linear::simplex::{Ending, Simplex};
 use crate::network::Network;
 use crate::progress::Progress;
 use crate::work::Work;
-use traverse_solve::{Interrupt, Seed};
 use rand::RngExt;
+use traverse_solve::{Interrupt, Seed};
 
 /// Arcs out of each node, and into each, that have a column from the start.
 const FIRST_COLUMNS: usize = 8;
@@ -247,18 +247,21 @@ impl<'a> Relaxation<'a> {
                 return Ok(Relaxed::Pruned);
             }
             let mut found = connectivity::violated(&support, work)?;
-            if let (true, false, Some(depot)) = (found.is_empty(), network.precedence.is_empty(), network.depot) {
+            if let (true, false, Some(depot)) =
+                (found.is_empty(), network.precedence.is_empty(), network.depot)
+            {
                 found = order::violated(&support, &network.precedence, depot, 2 * self.size, work)?;
             }
             let objective = self.simplex.objective() * self.unit;
-            idle = if objective > last + 0.01 * (1.0 + self.distance(parts, progress)) { 0 } else { idle + 1 };
+            idle =
+                if objective > last + 0.01 * (1.0 + self.distance(parts, progress)) { 0 } else { idle + 1 };
             last = last.max(objective);
             rounds += 1;
             let enough = if at_root { idle > IDLE_ROUNDS } else { rounds > NODE_ROUNDS || idle > 2 };
             if found.is_empty() || (enough && !whole) {
                 return Ok(Relaxed::Fractional { parts });
             }
-            self.add_cuts(found);
+            self.add_cuts(found, work)?;
         }
     }
 
@@ -371,11 +374,12 @@ impl<'a> Relaxation<'a> {
         }
     }
 
-    fn add_cuts(&mut self, found: Vec<Crossing>) {
+    fn add_cuts(&mut self, found: Vec<Crossing>, work: &Work<'_>) -> Result<(), Interrupt> {
         if self.cuts.len() > 3 * self.size {
             self.drop_loose_cuts();
         }
         for cut in found {
+            work.breathe()?;
             let entries: Vec<(usize, f64)> = (0..self.arcs.len())
                 .filter(|&arc| cut.contains(self.arcs[arc].from, self.arcs[arc].to))
                 .filter_map(|arc| Some((self.columns[arc]?, 1.0)))
@@ -383,6 +387,7 @@ impl<'a> Relaxation<'a> {
             self.simplex.add_row(&entries, 1.0);
             self.cuts.push(cut);
         }
+        Ok(())
     }
 
     fn drop_loose_cuts(&mut self) {

@@ -39,7 +39,13 @@ impl Flow {
 
     /// How much flows from source to target through nodes that are not `left_out`, stopping at `enough`, and which
     /// nodes the source reaches in what is left.
-    pub(crate) fn run(&mut self, source: usize, target: usize, left_out: &[bool], enough: f64) -> (f64, Vec<bool>) {
+    pub(crate) fn run(
+        &mut self,
+        source: usize,
+        target: usize,
+        left_out: &[bool],
+        enough: f64,
+    ) -> (f64, Vec<bool>) {
         self.capacities.clone_from(&self.original);
         let mut total = 0.0;
         loop {

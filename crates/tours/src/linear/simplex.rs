@@ -186,7 +186,12 @@ impl Simplex {
         }
         let retained = |flags: &[bool], at: usize| flags[at];
         let filtered = |values: &[f64], flags: &[bool]| -> Vec<f64> {
-            values.iter().enumerate().filter(|&(at, _)| retained(flags, at)).map(|(_, &value)| value).collect()
+            values
+                .iter()
+                .enumerate()
+                .filter(|&(at, _)| retained(flags, at))
+                .map(|(_, &value)| value)
+                .collect()
         };
         self.right = filtered(&self.right, &keep);
         self.state.values = filtered(&self.state.values, &keep_basic);
@@ -395,10 +400,13 @@ impl Simplex {
         let mut best = None;
         let mut largest = 0.0;
         for &(column, alpha) in alphas.iter() {
-            let usable =
-                if self.state.places[column] == Place::Lower { sign * alpha } else { -sign * alpha };
+            let usable = if self.state.places[column] == Place::Lower { sign * alpha } else { -sign * alpha };
             let free = self.columns[column].lower < self.columns[column].upper;
-            if free && usable > PIVOT && self.state.reduced[column].abs() / usable <= least && usable > largest {
+            if free
+                && usable > PIVOT
+                && self.state.reduced[column].abs() / usable <= least
+                && usable > largest
+            {
                 largest = usable;
                 best = Some(column);
             }
@@ -488,7 +496,8 @@ mod tests {
                     }
                 }
                 if step == 1 {
-                    let loose: Vec<bool> = (0..simplex.rows()).map(|row| row >= rows && simplex.is_loose(row)).collect();
+                    let loose: Vec<bool> =
+                        (0..simplex.rows()).map(|row| row >= rows && simplex.is_loose(row)).collect();
                     let mut at = 0;
                     matrix.retain(|_| {
                         at += 1;

@@ -102,7 +102,8 @@ pub(super) fn backward(
                 break;
             }
             let start = path.at(before);
-            let saving = part + costs.cost(start, first) - costs.cost(start, second) - costs.cost(last, first);
+            let saving =
+                part + costs.cost(start, first) - costs.cost(start, second) - costs.cost(last, first);
             if saving > least {
                 least = saving;
                 best = Some((Exchange { before, middle, end }, saving));
@@ -114,7 +115,12 @@ pub(super) fn backward(
 }
 
 /// Whether the exchange keeps the order.
-pub(super) fn is_allowed(precedence: &Precedence, path: &Path, exchange: Exchange, labels: &mut Labels) -> bool {
+pub(super) fn is_allowed(
+    precedence: &Precedence,
+    path: &Path,
+    exchange: Exchange,
+    labels: &mut Labels,
+) -> bool {
     labels.clear();
     for position in exchange.before + 1..=exchange.middle {
         labels.shut_out(precedence.successor_bits(path.at(position)));

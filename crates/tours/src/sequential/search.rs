@@ -114,7 +114,9 @@ impl<'a, C: Costs> SequentialSearch<'a, C> {
                     .then(|| forward(costs, order, &self.path, at, dearest, &mut self.labels))
                     .flatten()
                     .or_else(|| {
-                        (at > 1).then(|| backward(costs, order, &self.path, at, dearest, &mut self.labels)).flatten()
+                        (at > 1)
+                            .then(|| backward(costs, order, &self.path, at, dearest, &mut self.labels))
+                            .flatten()
                     });
                 let Some((exchange, saving)) = found else { break };
                 self.make(exchange, saving);
