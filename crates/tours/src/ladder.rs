@@ -1,10 +1,13 @@
 //! The ladder: from what decides at once to what takes long, each step with what the steps before have found.
 //!
-//! 1. Equal nodes become types. 2. The assignment bounds, and may show that there is no tour. 3. Small cases go
-//! through the program over counts. 4. Local search makes a good tour. 5. Assignment branch and bound closes small
-//! gaps. 6. The root of branch and cut bounds better, and its duals guide local search better. 7. The metric
-//! closure's program decides what consists of many equal nodes. 8. Branch and cut and local search take turns, or
-//! go side by side on two threads.
+//! 1. Equal nodes become types.
+//! 2. The assignment bounds, and may show that there is no tour.
+//! 3. Small cases go through the program over counts.
+//! 4. Local search makes a good tour.
+//! 5. Assignment branch and bound closes small gaps.
+//! 6. The root of branch and cut bounds better.
+//! 7. The metric closure's program decides what consists of many equal nodes.
+//! 8. Branch and cut and local search take turns, or go side by side on two threads.
 
 use crate::TourSpecification;
 use crate::answer::{Ending, Tour, TourAnswer};
@@ -52,11 +55,14 @@ pub(crate) fn climb(
     let mut certificate = Certificate::row_minima(full.entries(), &full.counts);
     progress.raise_bound(certificate.1);
     // Without time to look for equal nodes there is none for anything else.
-    let (network, members) = collapse(full, &work)
-        .unwrap_or_else(|_| (full.clone(), (0..full.size).map(|node| vec![node]).collect()));
-    let visits = Visits::of(&network);
-    progress.offer(&network, &visits.type_of);
-    let mut climb = Climb { network: &network, visits: &visits, options, root: None };
+    let collapsed = collapse(full, &work).ok().flatten();
+    let (network, members) = match &collapsed {
+        Some((network, members)) => (network, members.clone()),
+        None => (full, (0..full.size).map(|node| vec![node]).collect()),
+    };
+    let visits = Visits::of(network);
+    progress.offer(network, &visits.type_of);
+    let mut climb = Climb { network, visits: &visits, options, root: None };
     let ending = climb.run(&mut progress, &mut work).unwrap_or_else(Ending::Interrupted);
     if let Some((duals, cuts)) = climb.root {
         certificate = Certificate::expanded(full.size, &full.counts, &members, &duals, &cuts);

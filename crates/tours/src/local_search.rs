@@ -74,7 +74,7 @@ impl<'a, C: Costs> LocalSearch<'a, C> {
         while let Some(node) = self.queue.pop_front() {
             self.queued[node] = false;
             looked += 1;
-            if looked % 64 == 0 {
+            if looked.is_multiple_of(64) {
                 work.breathe()?;
             }
             while let Some(made) = three_opt::improve(self.costs, self.neighbours, &mut self.tour, node) {

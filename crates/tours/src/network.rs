@@ -62,10 +62,17 @@ impl Network {
         let precedence = Precedence::closure(size, &pairs).unwrap_or_else(|_| Precedence::none(size));
         let mut costs = vec![FORBIDDEN; size * size];
         for from in 0..inner {
-            for to in 0..inner {
-                let repeated = from != to || members[from].len() > 1;
-                if repeated && precedence.may_follow(from, to) {
-                    costs[from * size + to] = specification.costs.cost(members[from][0], members[to][0]);
+            let row = &mut costs[from * size..][..inner];
+            if ordered {
+                for (to, cost) in row.iter_mut().enumerate().filter(|&(to, _)| to != from) {
+                    if precedence.may_follow(from, to) {
+                        *cost = specification.costs.cost(members[from][0], members[to][0]);
+                    }
+                }
+            } else {
+                row.copy_from_slice(&specification.costs.entries()[from * nodes..][..nodes]);
+                if members[from].len() == 1 {
+                    row[from] = FORBIDDEN;
                 }
             }
         }

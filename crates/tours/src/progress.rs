@@ -78,6 +78,7 @@ impl<'a> Progress<'a> {
         self.best.as_ref().map(|(walk, cost)| (walk.as_slice(), *cost))
     }
 
+    #[cfg(test)]
     pub(crate) fn bound(&self) -> i64 {
         self.bound
     }

@@ -36,7 +36,7 @@ pub(crate) fn brute_force(specification: &TourSpecification) -> Option<i64> {
     let size = specification.costs.size();
     let mut left: Vec<u32> = (0..size).map(|node| specification.quantity(node)).collect();
     let mut best = None;
-    extend(specification, &mut vec![], &mut left, 0, &mut best);
+    extend(specification, &mut vec![], &mut left, &mut best);
     best
 }
 
@@ -44,7 +44,6 @@ fn extend(
     specification: &TourSpecification,
     visits: &mut Vec<usize>,
     left: &mut [u32],
-    cost: i64,
     best: &mut Option<i64>,
 ) {
     if left.iter().all(|&count| count == 0) {
@@ -61,7 +60,7 @@ fn extend(
         }
         left[node] -= 1;
         visits.push(node);
-        extend(specification, visits, left, cost + arc, best);
+        extend(specification, visits, left, best);
         visits.pop();
         left[node] += 1;
     }

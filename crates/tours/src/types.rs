@@ -10,10 +10,13 @@ use crate::network::Network;
 use crate::work::Work;
 use traverse_solve::Interrupt;
 
-/// The same network with equal types merged, and which ones were; nothing is merged where an order is to be kept.
-pub(crate) fn collapse(network: &Network, work: &Work<'_>) -> Result<(Network, Vec<Vec<usize>>), Interrupt> {
+/// A network with types, and the nodes that each type stands for.
+pub(crate) type Collapsed = (Network, Vec<Vec<usize>>);
+
+/// The same network with equal types merged; nothing where there are none, or an order is to be kept.
+pub(crate) fn collapse(network: &Network, work: &Work<'_>) -> Result<Option<Collapsed>, Interrupt> {
     if !network.precedence.is_empty() {
-        return Ok((network.clone(), (0..network.size).map(|at| vec![at]).collect()));
+        return Ok(None);
     }
     let mut classes: Vec<Class> = vec![];
     for at in 0..network.size {
@@ -26,8 +29,12 @@ pub(crate) fn collapse(network: &Network, work: &Work<'_>) -> Result<(Network, V
             classes.push(Class { members: vec![at], within });
         }
     }
+    if classes.len() == network.size {
+        return Ok(None);
+    }
     let mut costs = Vec::with_capacity(classes.len() * classes.len());
     for (row, from) in classes.iter().enumerate() {
+        work.breathe()?;
         for (column, to) in classes.iter().enumerate() {
             costs.push(if row == column {
                 from.within.unwrap_or(FORBIDDEN)
@@ -37,7 +44,7 @@ pub(crate) fn collapse(network: &Network, work: &Work<'_>) -> Result<(Network, V
         }
     }
     let members: Vec<Vec<usize>> = classes.into_iter().map(|class| class.members).collect();
-    Ok((network.collapsed(&members, costs), members))
+    Ok(Some((network.collapsed(&members, costs), members)))
 }
 
 struct Class {

@@ -115,11 +115,13 @@ impl<'a> Relaxation<'a> {
     }
 
     fn first_columns(&mut self, bound: &ExactBound, progress: &Progress<'_>) {
-        let mut by_cost: Vec<usize> = (0..self.arcs.len()).filter(|&arc| self.arcs[arc].upper > 0).collect();
-        by_cost.sort_by_key(|&arc| bound.reduced[arc]);
+        let open = (0..self.arcs.len()).filter(|&arc| self.arcs[arc].upper > 0);
+        let key = |arc: usize| i64::try_from(bound.reduced[arc]).unwrap_or(i64::MAX);
+        let mut by_cost: Vec<(i64, usize)> = open.map(|arc| (key(arc), arc)).collect();
+        by_cost.sort_unstable();
         let (mut out, mut into) = (vec![0; self.size], vec![0; self.size]);
         let mut wanted = vec![false; self.arcs.len()];
-        for arc in by_cost {
+        for (_, arc) in by_cost {
             let BoundedArc { from, to, .. } = self.arcs[arc];
             if out[from] < FIRST_COLUMNS || into[to] < FIRST_COLUMNS {
                 out[from] += 1;
@@ -152,7 +154,7 @@ impl<'a> Relaxation<'a> {
                 entries.push((2 * self.size + at, 1.0));
             }
         }
-        let column = self.simplex.add_priced_column(shifted / self.unit, f64::from(upper), entries, duals);
+        let column = self.simplex.add_column(shifted / self.unit, f64::from(upper), entries, duals);
         if lower > 0 || upper == 0 {
             self.simplex.set_bounds(column, f64::from(lower), f64::from(upper));
         }

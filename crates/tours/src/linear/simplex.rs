@@ -95,15 +95,9 @@ impl Simplex {
         self.right.len()
     }
 
-    /// A new column at whichever bound keeps the duals feasible; its number. `upper` is finite. Call
-    /// `refresh_values` when all are there.
-    pub(crate) fn add_column(&mut self, cost: f64, upper: f64, entries: Vec<(usize, f64)>) -> usize {
-        let duals = self.duals();
-        self.add_priced_column(cost, upper, entries, &duals)
-    }
-
-    /// The same with the duals at hand.
-    pub(crate) fn add_priced_column(
+    /// A new column at whichever bound keeps the duals feasible; its number. `upper` is finite, `duals` are the
+    /// current ones. Call `refresh_values` when all are there.
+    pub(crate) fn add_column(
         &mut self,
         cost: f64,
         upper: f64,
@@ -464,7 +458,8 @@ mod tests {
                 let upper = f64::from(chance.random_range(1..4));
                 let entries: Vec<f64> = (0..rows).map(|_| f64::from(chance.random_range(0..2))).collect();
                 let sparse = entries.iter().copied().enumerate().filter(|&(_, value)| value != 0.0).collect();
-                numbers.push(simplex.add_column(cost, upper, sparse));
+                let duals = simplex.duals();
+                numbers.push(simplex.add_column(cost, upper, sparse, &duals));
                 costs.push(cost);
                 bounds.push((0.0, upper));
                 for (row, value) in entries.into_iter().enumerate() {
