@@ -20,4 +20,10 @@ pub trait Costs: Sync {
 
     /// What the arc costs, [`FORBIDDEN`] when it must not be used.
     fn cost(&self, from: usize, to: usize) -> i64;
+
+    /// A cost that the arc can't fall below, cheaper to come by than the cost itself: bounds for thousands of nodes
+    /// look at every pair once.
+    fn floor(&self, from: usize, to: usize) -> i64 {
+        self.cost(from, to)
+    }
 }

@@ -40,6 +40,22 @@ impl Neighbours {
         Ok(Self { width, lists, ends })
     }
 
+    /// Lists that the caller has chosen, the cheapest arc of each first.
+    #[must_use]
+    pub fn from_lists(lists: &[Vec<usize>]) -> Self {
+        let width = lists.iter().map(Vec::len).max().unwrap_or(0);
+        let padded = |list: &Vec<usize>| {
+            let mut row = list.clone();
+            row.resize(width, 0);
+            row
+        };
+        Self {
+            width,
+            lists: lists.iter().flat_map(padded).collect(),
+            ends: lists.iter().map(Vec::len).collect(),
+        }
+    }
+
     /// The cheapest successors of a node.
     #[must_use]
     pub fn of(&self, node: usize) -> &[usize] {

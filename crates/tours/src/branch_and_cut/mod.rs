@@ -6,6 +6,8 @@
 //! first; each is a list of bound changes, and one linear program serves them all. Every bound that prunes is
 //! recomputed in whole numbers (`exact_bound`).
 
+mod branching;
+mod pricing;
 mod relaxation;
 mod tree;
 

@@ -1,5 +1,6 @@
 //! The linear relaxation that all nodes share: arcs with a column or still without one, rows for counts and cuts.
 
+use super::pricing::Refuted;
 use super::tree::{Change, Node, cost_of};
 use crate::cost::{Costs, FORBIDDEN};
 use crate::cuts::crossing::Crossing;
@@ -7,24 +8,20 @@ use crate::cuts::support::{Support, UNUSED};
 use crate::cuts::{connectivity, order};
 use crate::euler::closed_walk;
 use crate::exact_bound::{BoundedArc, Duals, ExactBound, PARTS};
-use crate::linear::simplex::{Ending, Simplex};
+use crate::linear::dual_method::Ending;
+use crate::linear::simplex::Simplex;
 use crate::network::Network;
 use crate::progress::Progress;
 use crate::work::Work;
 use rand::RngExt;
 use traverse_solve::{Interrupt, Seed};
 
-/// Arcs out of each node, and into each, that have a column from the start.
-const FIRST_COLUMNS: usize = 8;
 /// Pivots for one solve before it counts as undecided.
 const MOST_PIVOTS: u32 = 100_000;
 /// Rounds of cuts at a node below the root.
 const NODE_ROUNDS: u32 = 12;
 /// Rounds without progress after which the root stops cutting.
 const IDLE_ROUNDS: u32 = 6;
-/// Arcs that are tried for branching, pivots for each try.
-const TRIALS: usize = 8;
-const TRIAL_PIVOTS: u32 = 25;
 
 /// What a node's relaxation said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,23 +36,23 @@ pub(super) enum Relaxed {
 
 /// The linear relaxation.
 pub(super) struct Relaxation<'a> {
-    counts: &'a [u32],
+    pub(super) counts: &'a [u32],
     /// Every arc that may still be used, with its bounds at the node.
-    arcs: Vec<BoundedArc>,
-    columns: Vec<Option<usize>>,
-    arc_of_column: Vec<usize>,
-    simplex: Simplex,
-    cuts: Vec<Crossing>,
+    pub(super) arcs: Vec<BoundedArc>,
+    pub(super) columns: Vec<Option<usize>>,
+    pub(super) arc_of_column: Vec<usize>,
+    pub(super) simplex: Simplex,
+    pub(super) cuts: Vec<Crossing>,
     /// Arcs whose bounds differ from the root's, with the root's.
-    changed: Vec<(usize, u32, u32)>,
-    shift_row: Vec<i64>,
-    shift_column: Vec<i64>,
-    perturbation: Vec<f64>,
+    pub(super) changed: Vec<(usize, u32, u32)>,
+    pub(super) shift_row: Vec<i64>,
+    pub(super) shift_column: Vec<i64>,
+    pub(super) perturbation: Vec<f64>,
     /// Costs of the linear program are in this unit.
-    unit: f64,
-    root: Option<(Duals, Vec<Crossing>)>,
-    size: usize,
-    costs: Vec<i64>,
+    pub(super) unit: f64,
+    pub(super) root: Option<(Duals, Vec<Crossing>)>,
+    pub(super) size: usize,
+    pub(super) costs: Vec<i64>,
 }
 
 impl<'a> Relaxation<'a> {
@@ -112,71 +109,6 @@ impl<'a> Relaxation<'a> {
         relaxation.first_columns(&bound, progress);
         relaxation.root = Some((duals, vec![]));
         relaxation
-    }
-
-    fn first_columns(&mut self, bound: &ExactBound, progress: &Progress<'_>) {
-        let open = (0..self.arcs.len()).filter(|&arc| self.arcs[arc].upper > 0);
-        let key = |arc: usize| i64::try_from(bound.reduced[arc]).unwrap_or(i64::MAX);
-        let mut by_cost: Vec<(i64, usize)> = open.map(|arc| (key(arc), arc)).collect();
-        by_cost.sort_unstable();
-        let (mut out, mut into) = (vec![0; self.size], vec![0; self.size]);
-        let mut wanted = vec![false; self.arcs.len()];
-        for (_, arc) in by_cost {
-            let BoundedArc { from, to, .. } = self.arcs[arc];
-            if out[from] < FIRST_COLUMNS || into[to] < FIRST_COLUMNS {
-                out[from] += 1;
-                into[to] += 1;
-                wanted[arc] = true;
-            }
-        }
-        if let Some((walk, _)) = progress.best() {
-            let mut used = vec![false; self.size * self.size];
-            for (at, &from) in walk.iter().enumerate() {
-                used[from * self.size + walk[(at + 1) % walk.len()]] = true;
-            }
-            for (arc, wanted) in wanted.iter_mut().enumerate() {
-                *wanted |= used[self.arcs[arc].from * self.size + self.arcs[arc].to];
-            }
-        }
-        let duals = self.simplex.duals();
-        for arc in (0..self.arcs.len()).filter(|&arc| wanted[arc]) {
-            self.add_column(arc, &duals);
-        }
-        self.simplex.refresh_values();
-    }
-
-    fn add_column(&mut self, arc: usize, duals: &[f64]) {
-        let BoundedArc { from, to, cost, lower, upper } = self.arcs[arc];
-        let shifted = (cost - self.shift_row[from] - self.shift_column[to]) as f64 + self.perturbation[arc];
-        let mut entries = vec![(from, 1.0), (self.size + to, 1.0)];
-        for (at, cut) in self.cuts.iter().enumerate() {
-            if cut.contains(from, to) {
-                entries.push((2 * self.size + at, 1.0));
-            }
-        }
-        let column = self.simplex.add_column(shifted / self.unit, f64::from(upper), entries, duals);
-        if lower > 0 || upper == 0 {
-            self.simplex.set_bounds(column, f64::from(lower), f64::from(upper));
-        }
-        self.columns[arc] = Some(column);
-        self.arc_of_column.resize(column + 1, usize::MAX);
-        self.arc_of_column[column] = arc;
-    }
-
-    /// Arcs that no cheaper tour can use are closed for good. Only with the root's bound.
-    fn fix_arcs(&mut self, bound: &ExactBound, upper: i64) {
-        if upper == i64::MAX {
-            return;
-        }
-        for arc in 0..self.arcs.len() {
-            if self.arcs[arc].upper > 0 && cost_of(bound.parts + bound.reduced[arc]) >= upper {
-                self.arcs[arc].upper = 0;
-                if let Some(column) = self.columns[arc] {
-                    self.simplex.set_bounds(column, 0.0, 0.0);
-                }
-            }
-        }
-        self.simplex.refresh_values();
     }
 
     /// Sets the bounds of a node.
@@ -291,7 +223,7 @@ impl<'a> Relaxation<'a> {
         self.root.clone().unwrap_or_default()
     }
 
-    fn exact_duals(&self, duals: &[f64]) -> Duals {
+    pub(super) fn exact_duals(&self, duals: &[f64]) -> Duals {
         let parts = |shift: i64, dual: f64| {
             shift.saturating_mul(PARTS).saturating_add((dual * self.unit * PARTS as f64).round() as i64)
         };
@@ -304,55 +236,6 @@ impl<'a> Relaxation<'a> {
                 .filter(|&(_, weight)| weight > 0)
                 .collect(),
         }
-    }
-
-    /// Columns for arcs that price out below zero. Whether there were any.
-    fn price(&mut self, bound: &ExactBound, duals: &[f64]) -> bool {
-        let tolerance = -i128::from(PARTS / 64);
-        let mut missing: Vec<usize> = (0..self.arcs.len())
-            .filter(|&arc| self.columns[arc].is_none() && self.arcs[arc].upper > 0)
-            .filter(|&arc| bound.reduced[arc] < tolerance)
-            .collect();
-        missing.sort_by_key(|&arc| bound.reduced[arc]);
-        missing.truncate(4 * self.size);
-        for &arc in &missing {
-            self.add_column(arc, duals);
-        }
-        if !missing.is_empty() {
-            self.simplex.refresh_values();
-        }
-        !missing.is_empty()
-    }
-
-    /// Whether an infeasible program is so with all arcs, by whole numbers.
-    fn refute(&mut self, ray: &[f64], upper: i64) -> Refuted {
-        let duals = self.simplex.duals();
-        let largest = self.costs.iter().map(|cost| cost.unsigned_abs()).max().unwrap_or(1) as f64;
-        let visits: f64 = self.counts.iter().map(|&count| f64::from(count)).sum();
-        let goal = if upper == i64::MAX { (largest * visits) as i64 + 1 } else { upper };
-        let mut step = 1.0;
-        for _ in 0..12 {
-            let moved: Vec<f64> = duals.iter().zip(ray).map(|(dual, ray)| dual + step * ray).collect();
-            let exact = self.exact_duals(&moved);
-            let bound = ExactBound::of(self.counts, &self.arcs, &self.cuts, &exact);
-            if bound.cost() >= goal {
-                return Refuted::Yes;
-            }
-            let priced: Vec<usize> = (0..self.arcs.len())
-                .filter(|&arc| self.columns[arc].is_none() && self.arcs[arc].upper > 0)
-                .filter(|&arc| bound.reduced[arc] < 0)
-                .take(4 * self.size)
-                .collect();
-            if !priced.is_empty() {
-                for arc in priced {
-                    self.add_column(arc, &duals);
-                }
-                self.simplex.refresh_values();
-                return Refuted::ColumnsCame;
-            }
-            step *= 10.0;
-        }
-        Refuted::No
     }
 
     fn support(&self) -> Support {
@@ -403,51 +286,4 @@ impl<'a> Relaxation<'a> {
             !loose[at - 1]
         });
     }
-
-    /// The two sides of the arc that raises the bound most on both.
-    pub(super) fn branch(&mut self, work: &Work<'_>) -> Result<Option<[Change; 2]>, Interrupt> {
-        let mut open: Vec<(f64, usize, f64)> = (0..self.arcs.len())
-            .filter_map(|arc| {
-                let value = self.simplex.value(self.columns[arc]?);
-                let from_half = (value - value.floor() - 0.5).abs();
-                (from_half < 0.5 - 1e-6).then_some((from_half, arc, value))
-            })
-            .collect();
-        open.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        open.truncate(TRIALS);
-        let state = self.simplex.state();
-        let start = self.simplex.objective();
-        let mut best = None;
-        for &(_, arc, value) in &open {
-            let BoundedArc { lower, upper, .. } = self.arcs[arc];
-            let down = Change { arc, lower, upper: value.floor() as u32 };
-            let up = Change { arc, lower: value.floor() as u32 + 1, upper };
-            let mut rises = [0.0; 2];
-            if open.len() > 1 {
-                for (rise, side) in rises.iter_mut().zip([down, up]) {
-                    if let Some(column) = self.columns[arc] {
-                        self.simplex.set_bounds(column, f64::from(side.lower), f64::from(side.upper));
-                        self.simplex.refresh_values();
-                        *rise = match self.simplex.solve(TRIAL_PIVOTS, work)? {
-                            Ending::Infeasible(_) => 1e9,
-                            _ => (self.simplex.objective() - start).max(1e-6),
-                        };
-                        self.simplex.set_bounds(column, f64::from(lower), f64::from(upper));
-                        self.simplex.restore(state.clone());
-                    }
-                }
-            }
-            let score = rises[0] * rises[1];
-            if best.is_none_or(|(most, _)| score > most) {
-                best = Some((score, [down, up]));
-            }
-        }
-        Ok(best.map(|(_, sides)| sides))
-    }
-}
-
-enum Refuted {
-    Yes,
-    ColumnsCame,
-    No,
 }
