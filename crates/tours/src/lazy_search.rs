@@ -1,5 +1,5 @@
-//! Tours of thousands of nodes whose costs are computed when asked for: sparse assignment, local search on
-//! neighbour lists, and a bound from one look at a floor of every pair. Memory is O(n · list width).
+//! Tours of thousands of nodes whose costs are computed when asked for: sparse assignment with looks at every pair
+//! until none is missed, then local search on the arcs that are cheapest beyond its duals. Memory is O(n · width).
 
 use crate::cost::{Costs, FORBIDDEN};
 use crate::local_search::{LocalSearch, cycle_cost};
@@ -8,6 +8,13 @@ use crate::sparse_assignment::SparseAssignment;
 use crate::work::Work;
 use traverse_solve::{Budget, Interrupt, Observer, Seed};
 
+/// Arcs out of a node that local search sees.
+const WIDTH: usize = 10;
+/// Looks at every pair after which the assignment is good enough.
+const MOST_LOOKS: u32 = 12;
+/// With more nodes than this a look that raises the bound by less than this part of it is the last.
+const FEW: usize = 3_000;
+const LEAST_RISE: i64 = 5_000;
 /// Kicks between two looks at the best cost.
 const BURST: u64 = 500;
 
@@ -26,10 +33,9 @@ pub struct LazyAnswer {
     pub interrupt: Option<Interrupt>,
 }
 
-/// Searches until the budget ends or cost and bound meet. `neighbours` are the arcs worth looking at.
+/// Searches until the budget ends or cost and bound meet.
 pub fn search_lazily(
     costs: &impl Costs,
-    neighbours: &Neighbours,
     seed: Seed,
     budget: &Budget,
     observer: &mut dyn Observer,
@@ -43,25 +49,39 @@ pub fn search_lazily(
         interrupt: None,
     };
     answer.cost = true_cost(costs, &answer.order);
-    answer.interrupt = run(costs, neighbours, seed, &mut answer, &mut work, observer).err();
+    answer.interrupt = run(costs, seed, &mut answer, &mut work, observer).err();
     answer.iterations = work.iterations();
     answer
 }
 
 fn run(
     costs: &impl Costs,
-    neighbours: &Neighbours,
     seed: Seed,
     answer: &mut LazyAnswer,
     work: &mut Work<'_>,
     observer: &mut dyn Observer,
 ) -> Result<(), Interrupt> {
-    let mut assignment = SparseAssignment::solve(costs, neighbours, work)?;
-    let bound = assignment.repair(costs, work)?;
-    answer.lower_bound = Some(bound);
-    observer.better_bound(bound as f64);
+    let mut assignment = SparseAssignment::solve(costs, first_lists(costs, work)?, work)?;
+    let mut looks = 0;
+    let cheapest = loop {
+        looks += 1;
+        // What the look unmatches is matched again before the order is asked for.
+        let look = assignment.look(costs, WIDTH, work)?;
+        let least_rise = look.bound.abs() / LEAST_RISE;
+        let flat = answer.lower_bound.is_some_and(|bound| look.bound - bound < least_rise);
+        if answer.lower_bound.is_none_or(|bound| look.bound > bound) {
+            answer.lower_bound = Some(look.bound);
+            observer.better_bound(look.bound as f64);
+        }
+        assignment.rematch(costs, work)?;
+        if look.missed == 0 || looks == MOST_LOOKS || (flat && costs.size() > FEW) {
+            break look.cheapest;
+        }
+    };
+    let neighbours = Neighbours::from_lists(&cheapest);
+    // The duals that cost and lists are seen by; local search needs no feasible ones.
     let guide = LazyGuide { costs, row: &assignment.row, column: &assignment.column };
-    let mut search = LocalSearch::new(&guide, neighbours, assignment.order(), seed.stream());
+    let mut search = LocalSearch::new(&guide, &neighbours, assignment.order(), seed.stream());
     let (_, start) = search.best();
     let mut told = i64::MAX;
     let mut done = search.descend(work);
@@ -81,6 +101,34 @@ fn run(
             return Ok(());
         }
         done = search.kicks(BURST, work);
+    }
+}
+
+/// The cheapest arcs out of each node, and the cheapest into each.
+fn first_lists(costs: &impl Costs, work: &Work<'_>) -> Result<Vec<Vec<usize>>, Interrupt> {
+    let out = Neighbours::cheapest(costs, WIDTH, work)?;
+    let into = Neighbours::cheapest(&Reversed(costs), WIDTH, work)?;
+    let mut lists: Vec<Vec<usize>> = (0..costs.size()).map(|node| out.of(node).to_vec()).collect();
+    for to in 0..costs.size() {
+        for &from in into.of(to) {
+            if !lists[from].contains(&to) {
+                lists[from].push(to);
+            }
+        }
+    }
+    Ok(lists)
+}
+
+/// Every arc the other way.
+struct Reversed<'a, C>(&'a C);
+
+impl<C: Costs> Costs for Reversed<'_, C> {
+    fn size(&self) -> usize {
+        self.0.size()
+    }
+
+    fn cost(&self, from: usize, to: usize) -> i64 {
+        self.0.cost(to, from)
     }
 }
 

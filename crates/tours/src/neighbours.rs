@@ -42,7 +42,7 @@ impl Neighbours {
 
     /// Lists that the caller has chosen, the cheapest arc of each first.
     #[must_use]
-    pub fn from_lists(lists: &[Vec<usize>]) -> Self {
+    pub(crate) fn from_lists(lists: &[Vec<usize>]) -> Self {
         let width = lists.iter().map(Vec::len).max().unwrap_or(0);
         let padded = |list: &Vec<usize>| {
             let mut row = list.clone();

@@ -1,11 +1,8 @@
-//! The assignment problem on neighbour lists, for thousands of nodes: shortest augmenting paths as in `assignment`,
-//! with a heap and only the arcs of the lists. Rows that the lists can't match stay free. O(rows · arcs met · log).
-//!
-//! The duals are feasible on the lists; `repair` lowers row duals until they are feasible everywhere, one look at
-//! every pair, and what is left is a bound for all tours.
+//! The assignment problem for thousands of nodes: shortest augmenting paths as in `assignment`, with a heap, on few
+//! arcs of each row; then a look at every pair finds the arcs that were missed, and their rows are matched anew
+//! (Volgenant 1996). Every look, O(n²), gives a bound; the last, when nothing was missed, the assignment's.
 
 use crate::cost::{Costs, FORBIDDEN};
-use crate::neighbours::Neighbours;
 use crate::work::Work;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -22,6 +19,19 @@ pub(crate) struct SparseAssignment {
     predecessor: Vec<usize>,
     pub(crate) row: Vec<i64>,
     pub(crate) column: Vec<i64>,
+    /// The arcs of each row that were looked at so far.
+    lists: Vec<Vec<usize>>,
+}
+
+/// What a look at every pair has found.
+#[derive(Clone, Debug)]
+pub(crate) struct Look {
+    /// No tour costs less.
+    pub(crate) bound: i64,
+    /// Rows for which a cheaper arc was missed.
+    pub(crate) missed: usize,
+    /// The arcs out of each node that are cheapest beyond the duals.
+    pub(crate) cheapest: Vec<Vec<usize>>,
 }
 
 /// Room for one search: only what was touched is reset.
@@ -37,22 +47,26 @@ impl SparseAssignment {
     /// The cheapest assignment of as many rows as the lists can match one after the other.
     pub(crate) fn solve(
         costs: &impl Costs,
-        neighbours: &Neighbours,
+        lists: Vec<Vec<usize>>,
         work: &Work<'_>,
     ) -> Result<Self, Interrupt> {
         let size = costs.size();
-        let mut assignment = Self {
-            successor: vec![FREE; size],
-            predecessor: vec![FREE; size],
-            row: vec![0; size],
-            column: vec![FORBIDDEN; size],
-        };
-        for from in 0..size {
-            for &to in neighbours.of(from) {
-                assignment.column[to] = assignment.column[to].min(costs.cost(from, to));
+        let mut column = vec![FORBIDDEN; size];
+        for (from, list) in lists.iter().enumerate() {
+            for &to in list {
+                column[to] = column[to].min(costs.cost(from, to));
             }
         }
-        assignment.column.iter_mut().filter(|dual| **dual == FORBIDDEN).for_each(|dual| *dual = 0);
+        column.iter_mut().filter(|dual| **dual == FORBIDDEN).for_each(|dual| *dual = 0);
+        let (successor, predecessor) = (vec![FREE; size], vec![FREE; size]);
+        let mut assignment = Self { successor, predecessor, row: vec![0; size], column, lists };
+        assignment.match_free_rows(costs, work)?;
+        Ok(assignment)
+    }
+
+    /// Matches all rows that are free, as far as the lists can.
+    fn match_free_rows(&mut self, costs: &impl Costs, work: &Work<'_>) -> Result<(), Interrupt> {
+        let size = costs.size();
         let mut scratch = Scratch {
             distance: vec![FORBIDDEN; size],
             came_from: vec![FREE; size],
@@ -60,19 +74,18 @@ impl SparseAssignment {
             touched: vec![],
             heap: BinaryHeap::new(),
         };
-        for from in 0..size {
+        for from in (0..size).filter(|&from| self.successor[from] == FREE).collect::<Vec<_>>() {
             work.breathe()?;
-            let reduced = |to: usize| costs.cost(from, to) - assignment.column[to];
-            assignment.row[from] = neighbours.of(from).iter().map(|&to| reduced(to)).min().unwrap_or(0);
-            assignment.augment(costs, neighbours, from, &mut scratch, work)?;
+            let reduced = |to: usize| costs.cost(from, to) - self.column[to];
+            self.row[from] = self.lists[from].iter().map(|&to| reduced(to)).min().unwrap_or(0);
+            self.augment(costs, from, &mut scratch, work)?;
         }
-        Ok(assignment)
+        Ok(())
     }
 
     fn augment(
         &mut self,
         costs: &impl Costs,
-        neighbours: &Neighbours,
         row: usize,
         scratch: &mut Scratch,
         work: &Work<'_>,
@@ -90,7 +103,7 @@ impl SparseAssignment {
             if looked.is_multiple_of(256) {
                 work.breathe()?;
             }
-            for &to in neighbours.of(from) {
+            for &to in &self.lists[from] {
                 let length = reached + costs.cost(from, to) - self.row[from] - self.column[to];
                 if !scratch.done[to] && length < scratch.distance[to] {
                     if scratch.distance[to] == FORBIDDEN {
@@ -134,16 +147,51 @@ impl SparseAssignment {
         }
     }
 
-    /// Lowers row duals until they are feasible for every pair, and gives the bound.
-    pub(crate) fn repair(&mut self, costs: &impl Costs, work: &Work<'_>) -> Result<i64, Interrupt> {
-        for from in 0..costs.size() {
+    /// Looks at every pair: lowers row duals until they are feasible everywhere, and lists what was missed.
+    pub(crate) fn look(
+        &mut self,
+        costs: &impl Costs,
+        width: usize,
+        work: &Work<'_>,
+    ) -> Result<Look, Interrupt> {
+        let size = costs.size();
+        let mut look = Look { bound: 0, missed: 0, cheapest: Vec::with_capacity(size) };
+        let mut row: Vec<(i64, usize)> = Vec::with_capacity(size);
+        for from in 0..size {
             work.breathe()?;
-            let floors = (0..costs.size()).filter(|&to| to != from).map(|to| (costs.floor(from, to), to));
+            row.clear();
+            let floors = (0..size).filter(|&to| to != from).map(|to| (costs.floor(from, to), to));
             let allowed = floors.filter(|&(floor, _)| floor != FORBIDDEN);
-            let most = allowed.map(|(floor, to)| floor - self.column[to]).min();
-            self.row[from] = most.unwrap_or(0).min(self.row[from]);
+            row.extend(allowed.map(|(floor, to)| (floor - self.column[to], to)));
+            if row.len() > width {
+                row.select_nth_unstable(width - 1);
+                row.truncate(width);
+            }
+            row.sort_unstable();
+            let least = row.first().map_or(0, |first| first.0);
+            if least < self.row[from] || self.successor[from] == FREE {
+                look.missed += 1;
+                for &(_, to) in row.iter().take_while(|&&(reduced, _)| reduced <= self.row[from]) {
+                    if !self.lists[from].contains(&to) {
+                        self.lists[from].push(to);
+                    }
+                }
+                // No longer tight: the row is matched anew.
+                self.row[from] = least;
+                let to = std::mem::replace(&mut self.successor[from], FREE);
+                if to != FREE {
+                    self.predecessor[to] = FREE;
+                }
+            }
+            look.bound += self.row[from] + self.column[from];
+            look.cheapest.push(row.iter().map(|&(_, to)| to).collect());
         }
-        Ok(self.row.iter().sum::<i64>() + self.column.iter().sum::<i64>())
+        Ok(look)
+    }
+
+    /// Matches the rows that the last look has freed.
+    pub(crate) fn rematch(&mut self, costs: &impl Costs, work: &Work<'_>) -> Result<(), Interrupt> {
+        self.match_free_rows(costs, work)
     }
 
     /// The chains and circles of the assignment, one behind the other.

@@ -3,7 +3,7 @@
 use rand::RngExt;
 use std::time::Duration;
 use traverse_solve::{Budget, CancelToken, Effort, Seed, Silent};
-use traverse_tours::{Assignment, Costs, Neighbours, Work, search_lazily};
+use traverse_tours::{Assignment, Costs, Work, search_lazily};
 
 /// Points on a plane with a wind; nothing is stored for pairs.
 struct Windy(Vec<(f64, f64)>);
@@ -30,29 +30,23 @@ impl Costs for Windy {
 }
 
 #[test]
-fn with_full_lists_the_bound_is_the_assignment() {
+fn the_bound_is_the_assignment_without_its_matrix() {
     let budget = Budget { iterations: Some(2_000), ..Budget::unlimited() };
     for seed in 0..5 {
         let costs = Windy::new(60, seed);
-        let work = Work::new(&budget);
-        let all = Neighbours::cheapest(&costs, 60, &work).expect("no limit");
-        let answer = search_lazily(&costs, &all, Seed(1), &budget, &mut Silent);
-        let (assignment, _) = Assignment::solve(&costs, &work).expect("no limit");
+        let answer = search_lazily(&costs, Seed(1), &budget, &mut Silent);
+        let (assignment, _) = Assignment::solve(&costs, &Work::new(&budget)).expect("no limit");
         assert_eq!(answer.lower_bound, Some(assignment.bound()));
-        let short = Neighbours::cheapest(&costs, 6, &work).expect("no limit");
-        let less = search_lazily(&costs, &short, Seed(1), &budget, &mut Silent);
-        assert!(less.lower_bound <= answer.lower_bound && less.lower_bound > Some(0));
-        assert!(answer.cost >= answer.lower_bound && less.cost >= answer.lower_bound);
+        assert!(answer.cost >= answer.lower_bound);
     }
 }
 
 #[test]
 fn five_thousand_nodes_get_a_tour_and_a_bound_in_seconds() {
     let costs = Windy::new(5_000, 1);
-    let budget = Effort { time_limit: Some(Duration::from_secs(4)), ..Effort::default() }
+    let budget = Effort { time_limit: Some(Duration::from_secs(6)), ..Effort::default() }
         .budget_from_now(CancelToken::new());
-    let lists = Neighbours::cheapest(&costs, 10, &Work::new(&budget)).expect("in time");
-    let answer = search_lazily(&costs, &lists, Seed(1), &budget, &mut Silent);
+    let answer = search_lazily(&costs, Seed(1), &budget, &mut Silent);
     let mut seen = answer.order.clone();
     seen.sort_unstable();
     assert!(seen.into_iter().eq(0..5_000));
