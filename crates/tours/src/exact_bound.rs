@@ -5,7 +5,7 @@
 use crate::cuts::crossing::Crossing;
 
 /// Duals are whole multiples of this part of a cost unit.
-pub(crate) const PARTS: i64 = 1 << 20;
+pub(crate) const PARTS: i64 = 1 << 16;
 
 /// An arc that may be used, with how often.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

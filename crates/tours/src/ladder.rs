@@ -62,10 +62,13 @@ pub(crate) fn climb(
     };
     let visits = Visits::of(network);
     progress.offer(network, &visits.type_of);
-    let mut climb = Climb { network, visits: &visits, options, root: None };
+    let mut climb = Climb { network, visits: &visits, options, roots: vec![] };
     let ending = climb.run(&mut progress, &mut work).unwrap_or_else(Ending::Interrupted);
-    if let Some((duals, cuts)) = climb.root {
-        certificate = Certificate::expanded(full.size, &full.counts, &members, &duals, &cuts);
+    for (duals, cuts) in climb.roots {
+        let proven = Certificate::expanded(full.size, &full.counts, &members, &duals, &cuts);
+        if proven.1 > certificate.1 {
+            certificate = proven;
+        }
     }
     let ending = if progress.is_proven() { Ending::ProvenOptimal } else { ending };
     progress.raise_bound(certificate.1);
@@ -85,7 +88,8 @@ struct Climb<'a> {
     network: &'a Network,
     visits: &'a Visits<'a>,
     options: &'a SolveOptions,
-    root: Option<RootDuals>,
+    /// Duals of the assignment and of branch and cut's root; which prove more without their order is seen at the end.
+    roots: Vec<RootDuals>,
 }
 
 impl Climb<'_> {
@@ -97,8 +101,8 @@ impl Climb<'_> {
         }
         progress.raise_bound(assignment.bound());
         let (row, column) = (visits.type_duals(&assignment.row), visits.type_duals(&assignment.column));
-        let scaled = |duals: &[i64]| duals.iter().map(|dual| dual * PARTS).collect();
-        self.root = Some((Duals { row: scaled(&row), column: scaled(&column), cuts: vec![] }, vec![]));
+        let scaled = |duals: &[i64]| duals.iter().map(|dual| dual.saturating_mul(PARTS)).collect();
+        self.roots.push((Duals { row: scaled(&row), column: scaled(&column), cuts: vec![] }, vec![]));
         if let Some(ending) = self.small_table(progress, work)? {
             return Ok(ending);
         }
@@ -174,9 +178,8 @@ impl Climb<'_> {
         work: &mut Work<'_>,
     ) -> Result<Ending, Interrupt> {
         let mut tree = BranchAndCut::new(self.network, duals.0, duals.1, progress);
-        self.root = Some(tree.root_duals());
         let done = tree.root(progress, work);
-        self.root = Some(tree.root_duals());
+        self.roots.push(tree.root_duals());
         done?;
         if let Some(local) = local.as_deref_mut() {
             local.improve(GUIDED_KICKS, first, progress, work)?;

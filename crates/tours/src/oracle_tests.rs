@@ -5,7 +5,7 @@ use crate::assignment_search::{Branching, Incumbent, Searched, search};
 use crate::branch_and_cut::{BranchAndCut, Closed};
 use crate::certificate::{Certificate, verify_certificate};
 use crate::closure::Closure;
-use crate::cost::{Costs, FORBIDDEN};
+use crate::cost::{Costs, FORBIDDEN, LARGEST_COST};
 use crate::count_program::{CountProgram, Walk};
 use crate::guided_search::GuidedSearch;
 use crate::network::Network;
@@ -24,7 +24,8 @@ use traverse_solve::{Budget, Seed, Silent, Trace};
 fn random_specification(chance: &mut Xoshiro256PlusPlus) -> TourSpecification {
     let size = chance.random_range(1..=7);
     let forbidden = [0.0, 0.0, 0.15, 0.4][chance.random_range(0..4)];
-    let costs = [0..=1, -9..=9, 0..=100][chance.random_range(0..3)].clone();
+    let all = -LARGEST_COST..=LARGEST_COST;
+    let costs = [0..=1, -9..=9, 0..=100, all][chance.random_range(0..4)].clone();
     let mut matrix = random_matrix(size, costs, forbidden, chance);
     if size > 2 && chance.random_bool(0.4) {
         matrix = with_an_equal_node(&matrix, chance.random_range(0..size - 1));
@@ -182,6 +183,7 @@ fn branch_and_cut_is_exact_from_any_feasible_duals() {
         assert!(tree.grow(u64::MAX, &mut progress, &mut work).expect("no limit"));
         if tree.closed() == Closed::No {
             undecided += 1;
+            println!("undecided: {specification:?} {optimum:?}");
             return;
         }
         assert_eq!(progress.best().map(|best| best.1), optimum, "{specification:?}");

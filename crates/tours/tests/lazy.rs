@@ -1,8 +1,7 @@
 //! Thousands of nodes, costs computed when asked for.
 
 use rand::RngExt;
-use std::time::Duration;
-use traverse_solve::{Budget, CancelToken, Effort, Seed, Silent};
+use traverse_solve::{Budget, Seed, Silent};
 use traverse_tours::{Assignment, Costs, Work, search_lazily};
 
 /// Points on a plane with a wind; nothing is stored for pairs.
@@ -42,15 +41,14 @@ fn the_bound_is_the_assignment_without_its_matrix() {
 }
 
 #[test]
-fn five_thousand_nodes_get_a_tour_and_a_bound_in_seconds() {
-    let costs = Windy::new(5_000, 1);
-    let budget = Effort { time_limit: Some(Duration::from_secs(6)), ..Effort::default() }
-        .budget_from_now(CancelToken::new());
+fn two_thousand_nodes_get_a_tour_and_a_bound() {
+    let costs = Windy::new(2_000, 1);
+    let budget = Budget { iterations: Some(5_000), ..Budget::unlimited() };
     let answer = search_lazily(&costs, Seed(1), &budget, &mut Silent);
     let mut seen = answer.order.clone();
     seen.sort_unstable();
-    assert!(seen.into_iter().eq(0..5_000));
-    let (cost, bound) = (answer.cost.expect("nothing is forbidden"), answer.lower_bound.expect("in time"));
+    assert!(seen.into_iter().eq(0..2_000));
+    let (cost, bound) = (answer.cost.expect("nothing is forbidden"), answer.lower_bound.expect("no limit"));
     // Assignment bounds of plane instances are weak: a fifth is usual.
     assert!(cost < bound * 3 / 2, "{cost} {bound}");
 }

@@ -3,8 +3,11 @@
 
 use super::relaxation::Relaxation;
 use super::tree::Change;
+use crate::euler::closed_walk;
 use crate::exact_bound::BoundedArc;
 use crate::linear::dual_method::Ending;
+use crate::network::Network;
+use crate::progress::Progress;
 use crate::work::Work;
 use traverse_solve::Interrupt;
 
@@ -22,6 +25,9 @@ impl Relaxation<'_> {
                 (from_half < 0.5 - 1e-6).then_some((from_half, arc, value))
             })
             .collect();
+        if open.is_empty() {
+            return Ok(self.whole_branch());
+        }
         open.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         open.truncate(TRIALS);
         let state = self.simplex.state();
@@ -52,5 +58,48 @@ impl Relaxation<'_> {
             }
         }
         Ok(best.map(|(_, sides)| sides))
+    }
+
+    /// A tour whose cost rounding keeps apart from its bound is pinned down arc by arc: where all are, the bound is
+    /// its cost exactly.
+    fn whole_branch(&self) -> Option<[Change; 2]> {
+        (0..self.arcs.len()).find_map(|arc| {
+            let value = self.simplex.value(self.columns[arc]?).round() as u32;
+            let BoundedArc { lower, upper, .. } = self.arcs[arc];
+            if value > lower {
+                Some([Change { arc, lower, upper: value - 1 }, Change { arc, lower: value, upper }])
+            } else if value < upper && value > 0 {
+                Some([Change { arc, lower, upper: value }, Change { arc, lower: value + 1, upper }])
+            } else {
+                None
+            }
+        })
+    }
+
+    /// Two halves of a node that rounding kept from being decided: nothing is lost, and each is smaller. Nothing when
+    /// every arc is pinned down already.
+    pub(super) fn halve(&self) -> Option<[Change; 2]> {
+        let open = |arc: &usize| self.arcs[*arc].lower < self.arcs[*arc].upper;
+        let arc = (0..self.arcs.len()).find(open)?;
+        let BoundedArc { lower, upper, .. } = self.arcs[arc];
+        let middle = lower + (upper - lower) / 2;
+        Some([Change { arc, lower, upper: middle }, Change { arc, lower: middle + 1, upper }])
+    }
+
+    /// Decides a node whose arcs are all pinned down, without any solver: they are a tour, which is offered, or none.
+    pub(super) fn decide_pinned(&self, network: &Network, progress: &mut Progress<'_>) {
+        let used: Vec<(usize, usize, u32)> =
+            self.arcs.iter().filter(|arc| arc.lower > 0).map(|arc| (arc.from, arc.to, arc.lower)).collect();
+        let (mut out, mut into) = (vec![0; self.size], vec![0; self.size]);
+        for &(from, to, count) in &used {
+            out[from] += count;
+            into[to] += count;
+        }
+        if out == self.counts
+            && into == self.counts
+            && let Some(walk) = closed_walk(self.size, &used)
+        {
+            progress.offer(network, &walk);
+        }
     }
 }

@@ -97,18 +97,24 @@ impl<'a> BranchAndCut<'a> {
             return Ok(());
         }
         self.relaxation.enter(&node);
-        match self.relaxation.relax(&node, self.network, progress, work) {
-            Ok(Relaxed::Pruned) => {}
-            Ok(Relaxed::Undecided) => self.closed = Closed::No,
-            Ok(Relaxed::Fractional { parts }) => match self.relaxation.branch(work)? {
-                Some(branch) => {
-                    for side in branch {
-                        self.tree.push(node.child(side, parts));
-                    }
+        let sides = match self.relaxation.relax(&node, self.network, progress, work)? {
+            Relaxed::Pruned => Some((None, node.parts)),
+            Relaxed::Undecided => {
+                let halves = self.relaxation.halve();
+                if halves.is_none() {
+                    self.relaxation.decide_pinned(self.network, progress);
                 }
-                None => self.closed = Closed::No,
-            },
-            Err(interrupt) => return Err(interrupt),
+                Some((halves, node.parts))
+            }
+            Relaxed::Fractional { parts } => self.relaxation.branch(work)?.map(|sides| (Some(sides), parts)),
+        };
+        match sides {
+            Some((sides, parts)) => {
+                for side in sides.into_iter().flatten() {
+                    self.tree.push(node.child(side, parts));
+                }
+            }
+            None => self.closed = Closed::No,
         }
         if self.tree.is_full() {
             return Err(Interrupt::Memory);

@@ -79,7 +79,8 @@ impl<'a> Relaxation<'a> {
         let largest = arcs.iter().map(reduced).max().unwrap_or(0).max(1);
         let unit = (largest as f64 / 1e4).max(1.0);
         let mut chance = Seed(0).stream();
-        let spread = (0.02 / size as f64).max(largest as f64 * 1e-8);
+        // All perturbations of a tour together stay below the step from one whole cost to the next.
+        let spread = 0.02 / size as f64;
         let perturbation = arcs.iter().map(|_| chance.random_range(0.0..spread)).collect();
         let counts: Vec<f64> = network.counts.iter().map(|&count| f64::from(count)).collect();
         let mut relaxation = Self {
@@ -99,8 +100,8 @@ impl<'a> Relaxation<'a> {
             arcs,
         };
         let duals = Duals {
-            row: row.iter().map(|dual| dual * PARTS).collect(),
-            column: column.iter().map(|dual| dual * PARTS).collect(),
+            row: row.iter().map(|dual| dual.saturating_mul(PARTS)).collect(),
+            column: column.iter().map(|dual| dual.saturating_mul(PARTS)).collect(),
             cuts: vec![],
         };
         let bound = ExactBound::of(relaxation.counts, &relaxation.arcs, &[], &duals);

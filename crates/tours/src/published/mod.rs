@@ -61,7 +61,8 @@ fn by_method(
     if matched == Matched::None {
         return Ok(Ending::ProvenInfeasible);
     }
-    let scaled = |duals: &[i64]| visits.type_duals(duals).iter().map(|dual| dual * PARTS).collect();
+    let scaled =
+        |duals: &[i64]| visits.type_duals(duals).iter().map(|dual| dual.saturating_mul(PARTS)).collect();
     let duals = Duals { row: scaled(&assignment.row), column: scaled(&assignment.column), cuts: vec![] };
     let every: Vec<Vec<usize>> = (0..network.size).map(|node| vec![node]).collect();
     *certificate = Certificate::expanded(network.size, &network.counts, &every, &duals, &[]);
