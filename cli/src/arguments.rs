@@ -15,7 +15,7 @@ pub(crate) struct Arguments {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 input that can't be used, \
-4 no collision-free path (proven), 5 the checker found violations, 6 server not reachable, 7 not now (time limit, full \
+4 no collision-free path, no tour (proven), 5 the checker found violations, 6 server not reachable, 7 not now (time limit, full \
 queue).";
 
 #[derive(Debug, Subcommand)]
@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Rapid(Rapid),
     /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
     Inspect(Inspect),
+    /// Orders a TSPLIB matrix (.atsp, .sop, .tsp with listed weights) and prints one JSON line.
+    Solve(Solve),
     /// Checks a plan against its request, by code that shares nothing with the planner.
     Check(Check),
     /// Calls any method with proto3 JSON, in process or on a server.
@@ -228,10 +230,57 @@ pub(crate) struct Demo {
     pub(crate) out: PathBuf,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct Solve {
+    /// A TSPLIB file with explicit weights; `-` reads standard input.
+    pub(crate) file: PathBuf,
+    /// Stop after this long, such as 60s, and answer with the best so far.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "60s")]
+    pub(crate) time_limit: Duration,
+    /// Stop after this many iterations. The same limit, seed and one thread give the same answer.
+    #[arg(long, value_name = "COUNT")]
+    pub(crate) iteration_limit: Option<u64>,
+    /// Where chance comes from.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// 2 or more: local search beside the proof.
+    #[arg(long, value_name = "COUNT", default_value_t = 1)]
+    pub(crate) threads: usize,
+    /// The ladder, or a method published in 2009.
+    #[arg(long, value_enum, default_value_t = SolveMethod::Ladder)]
+    pub(crate) method: SolveMethod,
+    /// Prints the order of visits too, nodes counted from 0.
+    #[arg(long)]
+    pub(crate) tour: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum SolveMethod {
+    /// Whatever proves the optimum soonest.
+    Ladder,
+    /// Branch and bound on one arc in or out, bounded by assignments.
+    BranchAndBound,
+    /// An ant colony.
+    AntColony,
+    /// Successive improvement.
+    SuccessiveImprovement,
+}
+
+impl From<SolveMethod> for traverse_tours::Method {
+    fn from(method: SolveMethod) -> Self {
+        match method {
+            SolveMethod::Ladder => Self::Ladder,
+            SolveMethod::BranchAndBound => Self::BranchAndBound,
+            SolveMethod::AntColony => Self::AntColony,
+            SolveMethod::SuccessiveImprovement => Self::SuccessiveImprovement,
+        }
+    }
+}
+
 /// A time in seconds.
 fn seconds(text: &str) -> Result<Duration, String> {
-    let wrong = || format!("{text} is no time; write seconds, such as 2.5");
-    let seconds: f64 = text.parse().map_err(|_| wrong())?;
+    let wrong = || format!("{text} is no time; write seconds, such as 2.5 or 60s");
+    let seconds: f64 = text.strip_suffix('s').unwrap_or(text).parse().map_err(|_| wrong())?;
     Duration::try_from_secs_f64(seconds).map_err(|_| wrong())
 }
 

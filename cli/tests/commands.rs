@@ -251,3 +251,37 @@ fn heights_clearances_and_ways_out_are_planned_drawn_and_checked() {
     let leave = ["--from", "88,20", "--to", "20,20", "--clearance", "4", "--leave", "1,0"];
     assert_ends(&traverse(&[&["rapid", &wall][..], &leave].concat()), 3, "has no way out");
 }
+
+fn matrix(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tours/tests/data").join(name).display().to_string()
+}
+
+#[test]
+fn solve_prints_one_line_with_cost_bound_and_proof() {
+    let output = traverse(&["solve", &matrix("br17.atsp"), "--time-limit", "60s", "--seed", "3", "--tour"]);
+    assert_ends(&output, 0, "");
+    let said = text(&output.stdout);
+    assert_eq!(said.lines().count(), 1, "{said}");
+    let answer: serde_json::Value = serde_json::from_str(&said).unwrap();
+    assert_eq!((answer["cost"].as_i64(), answer["lower_bound"].as_i64()), (Some(39), Some(39)));
+    assert_eq!((answer["proven"].as_bool(), answer["ending"].as_str()), (Some(true), Some("proven_optimal")));
+    assert_eq!(answer["tour"].as_array().map(Vec::len), Some(17));
+}
+
+#[test]
+fn solve_says_which_line_is_wrong_and_proves_that_there_is_no_tour() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, content: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, content).unwrap();
+        path.display().to_string()
+    };
+    let wrong = write("wrong.atsp", "DIMENSION: 0\n");
+    assert_ends(&traverse(&["solve", &wrong]), 3, "line 1: DIMENSION is \"0\"");
+    let head = "TYPE: SOP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n";
+    let circle =
+        write("circle.sop", &format!("{head}EDGE_WEIGHT_SECTION\n0 1 1 1\n1 0 -1 1\n1 -1 0 1\n1 1 1 0\n"));
+    assert_ends(&traverse(&["solve", &circle]), 3, "before itself");
+    let ordered = matrix("br17.12.sop");
+    assert_ends(&traverse(&["solve", &ordered, "--method", "ant-colony"]), 3, "use the ladder");
+}
