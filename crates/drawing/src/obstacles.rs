@@ -1,7 +1,7 @@
 //! Shapes with holes from the loops of one layer and role.
 
 use crate::role_loops::RoleLoops;
-use crate::{DrawingFinding, Fault, ObstacleRole};
+use crate::{DrawingFinding, Fault, Loop, ObstacleRole};
 use traverse_geometry::{Finding, Obstacle, Point, Polygon, Ring};
 
 /// A polygon, and how far at most it runs from what was drawn.
@@ -86,38 +86,17 @@ impl RoleLoops<'_> {
         why: Vec<Finding>,
         fault: impl Fn(Finding) -> Fault,
     ) -> Vec<DrawingFinding> {
-        let finding = |finding: Finding| DrawingFinding {
-            layer: self.layer.to_owned(),
-            place: self.place_of(each, holes, &finding),
-            fault: fault(finding),
+        let finding = |finding: Finding| {
+            // Without a place of its own it is meant as a whole.
+            let meant = &self.loops[holes.first().copied().unwrap_or(each)];
+            let place = finding.place.unwrap_or(meant.vertices[0]);
+            self.finding(meant, place, fault(finding))
         };
         why.into_iter().map(finding).collect()
     }
 
-    /// The point that the finding names; otherwise the vertex or the hole that it names by number, otherwise the
-    /// loop's first vertex.
-    fn place_of(&self, each: usize, holes: &[usize], finding: &Finding) -> Point {
-        if let Some(named) = point_in(&finding.message) {
-            return named;
-        }
-        let field = finding.field.as_str();
-        let number = field.rsplit_once('[').and_then(|(_, number)| number.split(']').next()?.parse().ok());
-        let number = number.unwrap_or(0);
-        let hole = field.strip_prefix("holes[").and_then(|_| holes.get(number));
-        let vertices = &self.loops[hole.copied().unwrap_or(each)].vertices;
-        let vertex = match hole {
-            Some(_) => 0,
-            None if field.contains("xy_mm") => number / 2,
-            None => number,
-        };
-        vertices.get(vertex).copied().unwrap_or(vertices[0])
+    /// Something wrong with a loop.
+    pub(crate) fn finding(&self, meant: &Loop, place: Point, fault: Fault) -> DrawingFinding {
+        DrawingFinding::new(self.layer, &self.curves[meant.first_curve].source, place, fault)
     }
-}
-
-/// The first point `(x, y) mm` in a text, as geometry writes where edges cross.
-fn point_in(message: &str) -> Option<Point> {
-    let (before, _) = message.split_once(") mm")?;
-    let (_, pair) = before.rsplit_once('(')?;
-    let (x, y) = pair.split_once(", ")?;
-    Some(Point::new(x.parse().ok()?, y.parse().ok()?))
 }

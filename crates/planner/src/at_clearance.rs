@@ -2,15 +2,15 @@
 
 use crate::barriers::Barriers;
 use crate::level::{Levels, best_level, passed_over};
-use crate::rapid_move::least_cost;
-use crate::search::{End, Known, Route, Search};
+use crate::rapid_move::{MeetingBarriers, ShortestRoute, least_cost};
+use crate::search::{End, Route};
 use crate::separating::separating;
 use crate::standing::{depths, stand};
 use crate::trace::trace;
 use crate::way_out::way_out;
 use crate::{RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
-use traverse_geometry::{EndRule, Path, Point, Scene};
+use traverse_geometry::{EndRule, Path, Point};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
 /// What a move comes to at one clearance.
@@ -25,10 +25,9 @@ pub(crate) enum Outcome {
 
 /// A move in a scene, ready to be planned.
 pub(crate) struct AtClearance<'a> {
-    scene: &'a Scene,
     query: &'a RapidMove,
     budget: &'a Budget,
-    barriers: Barriers<'a>,
+    barriers: &'a Barriers<'a>,
     levels: Levels,
     lower_bound: f64,
 }
@@ -40,14 +39,10 @@ struct Found {
 }
 
 impl<'a> AtClearance<'a> {
-    /// Takes the scene apart. Cost: n log n.
-    ///
-    /// # Errors
-    /// The budget ended.
-    pub(crate) fn new(scene: &'a Scene, query: &'a RapidMove, budget: &'a Budget) -> Result<Self, Interrupt> {
-        let barriers = Barriers::new(scene, budget)?;
-        let levels = Levels::of(&barriers, query.rules.heights);
-        Ok(Self { scene, query, budget, barriers, levels, lower_bound: least_cost(query) })
+    /// The move among `barriers`. Cost: n log n in the obstacles.
+    pub(crate) fn new(barriers: &'a Barriers<'a>, query: &'a RapidMove, budget: &'a Budget) -> Self {
+        let levels = Levels::of(barriers, query.rules.heights);
+        Self { query, budget, barriers, levels, lower_bound: least_cost(query) }
     }
 
     /// No path costs less, as far as is known.
@@ -55,13 +50,15 @@ impl<'a> AtClearance<'a> {
         self.lower_bound
     }
 
-    /// The shortest path. `names_what_parts`: if there is none, say which obstacles do it.
+    /// The shortest path. `names_what_parts`: if there is none, say which obstacles do it. `shortest` finds ways where
+    /// nothing is passed over.
     ///
     /// # Errors
     /// The budget ended.
     pub(crate) fn solve(
         &mut self,
         names_what_parts: bool,
+        shortest: &mut dyn ShortestRoute,
         stats: &mut Stats,
         observer: &mut dyn Observer,
     ) -> Result<Outcome, Interrupt> {
@@ -81,13 +78,13 @@ impl<'a> AtClearance<'a> {
         let straight = (target - start).norm();
         let found = if let [vertical] = vertical[..] {
             let mut told = Told { observer, by: leads + vertical, most: self.lower_bound };
-            let found = self.search(0, start, target, stats, &mut told);
+            let found = self.search(0, [start, target], shortest, stats, &mut told);
             self.lower_bound = told.most;
             found?.map(|(_, found)| (0, found))
         } else {
             let this = &*self;
             let mut bound = this.lower_bound;
-            let solve = |level| this.search(level, start, target, stats, &mut Silent);
+            let solve = |level| this.search(level, [start, target], shortest, stats, &mut Silent);
             let tell = |found: f64| {
                 if found + leads > bound {
                     bound = found + leads;
@@ -121,7 +118,9 @@ impl<'a> AtClearance<'a> {
     pub(crate) fn has_path(&self, stats: &mut Stats) -> Result<bool, Interrupt> {
         let Ok([start, target]) = self.clear_ends()? else { return Ok(false) };
         let highest = self.levels.count() - 1;
-        Ok(self.search(highest, start, target, stats, &mut Silent)?.is_some())
+        Ok(self
+            .search(highest, [start, target], &mut MeetingBarriers::default(), stats, &mut Silent)?
+            .is_some())
     }
 
     fn plan(&self, path: Path, bending_obstacles: Vec<String>) -> RapidPlan {
@@ -130,7 +129,7 @@ impl<'a> AtClearance<'a> {
             path,
             cost,
             lower_bound: cost,
-            clearance_mm: self.scene.clearance_mm,
+            clearance_mm: self.barriers.scene.clearance_mm,
             bending_obstacles,
             alternatives: Vec::new(),
         }
@@ -158,8 +157,8 @@ impl<'a> AtClearance<'a> {
         z_mm: f64,
         rule: &EndRule,
     ) -> Result<Result<Point, Vec<Refusal>>, Interrupt> {
-        let left_out = passed_over(&self.barriers, self.query.rules.heights, z_mm);
-        let inside = depths(&self.barriers, &left_out, point, self.budget)?;
+        let left_out = passed_over(self.barriers, self.query.rules.heights, z_mm);
+        let inside = depths(self.barriers, &left_out, point, self.budget)?;
         if inside.is_empty() {
             return Ok(Ok(point));
         }
@@ -171,7 +170,7 @@ impl<'a> AtClearance<'a> {
             };
             return Ok(Err(inside.into_iter().map(refusal).collect()));
         }
-        let found = way_out(&self.barriers, &left_out, &inside, point, rule, self.budget)?;
+        let found = way_out(self.barriers, &left_out, &inside, point, rule, self.budget)?;
         Ok(found.map_err(|shut| vec![Refusal::EndShutIn { field, obstacle: name(shut.by), why: shut.why }]))
     }
 
@@ -179,34 +178,37 @@ impl<'a> AtClearance<'a> {
     fn search(
         &self,
         level: usize,
-        start: Point,
-        target: Point,
+        [start, target]: [Point; 2],
+        shortest: &mut dyn ShortestRoute,
         stats: &mut Stats,
         observer: &mut dyn Observer,
     ) -> Result<Option<(f64, Found)>, Interrupt> {
         if start == target {
             return Ok(Some((0.0, Found { path: Path::at(start), bending: Vec::new() })));
         }
-        let left_out = self.levels.passed_over(&self.barriers, level);
-        let [start, target] = self.stands(&left_out, start, target)?;
+        let passed_over = self.levels.passed_over(self.barriers, level);
+        let [start, target] = self.stands(&passed_over, start, target)?;
         if start.places.is_empty() || target.places.is_empty() {
             return Ok(None);
         }
-        let mut search = Search::new(Known::new(&self.barriers, &left_out), &start, &target);
-        let found = search.run(self.budget, &mut stats.expanded_nodes, observer);
-        stats.barrier_vertices = stats.barrier_vertices.max(search.known.features.len() as u64);
-        observer.better_bound(search.lower_bound);
+        let ends = [&start, &target];
+        let (found, lower_bound) = if passed_over.is_empty() {
+            shortest.shortest(self.barriers, ends, stats, self.budget, observer)
+        } else {
+            MeetingBarriers { passed_over }.shortest(self.barriers, ends, stats, self.budget, observer)
+        };
+        observer.better_bound(lower_bound);
         Ok(found?.map(|route| {
-            let path = trace(&route, &search.known.features, start.point, target.point);
+            let path = trace(&route, start.point, target.point);
             debug_assert!((path.length() - route.cost).abs() <= 1e-6 * route.cost.max(1.0));
-            (path.length(), Found { path, bending: self.bending(&route, &search.known) })
+            (path.length(), Found { path, bending: self.bending(&route) })
         }))
     }
 
     fn stands(&self, left_out: &BTreeSet<usize>, start: Point, target: Point) -> Result<[End; 2], Interrupt> {
         Ok([
-            stand(&self.barriers, left_out, start, self.budget)?,
-            stand(&self.barriers, left_out, target, self.budget)?,
+            stand(self.barriers, left_out, start, self.budget)?,
+            stand(self.barriers, left_out, target, self.budget)?,
         ])
     }
 
@@ -218,17 +220,14 @@ impl<'a> AtClearance<'a> {
         target: Point,
         stats: &mut Stats,
     ) -> Result<Vec<String>, Interrupt> {
-        let left_out = self.levels.passed_over(&self.barriers, level);
+        let left_out = self.levels.passed_over(self.barriers, level);
         let [start, target] = self.stands(&left_out, start, target)?;
         for end in [&start, &target] {
             if end.places.is_empty() {
                 return Ok(self.named(end.shut_in_by.iter().copied()));
             }
         }
-        let mut search = Search::new(Known::new(&self.barriers, &left_out), &start, &target);
-        search.run(self.budget, &mut stats.expanded_nodes, &mut Silent)?;
-        let met = search.known.met().collect();
-        let parting = separating(&self.barriers, met, &start, &target, self.budget, stats)?;
+        let parting = separating(self.barriers, &left_out, &start, &target, self.budget, stats)?;
         Ok(self.named(parting))
     }
 
@@ -256,13 +255,13 @@ impl<'a> AtClearance<'a> {
 
     /// Ids of obstacles; the work area's border is taken for granted.
     fn named(&self, owners: impl IntoIterator<Item = usize>) -> Vec<String> {
-        let is_obstacle = |owner: &usize| *owner < self.scene.obstacles.len();
+        let is_obstacle = |owner: &usize| self.barriers.obstacle(*owner).is_some();
         owners.into_iter().filter(is_obstacle).map(|owner| self.barriers.id(owner).to_owned()).collect()
     }
 
-    fn bending(&self, route: &Route, known: &Known<'_>) -> Vec<String> {
-        let id = |feature: usize| self.barriers.id(known.features[feature].owner).to_owned();
-        let mut ids: Vec<String> = route.stops.iter().map(|stop| id(stop.feature)).collect();
+    fn bending(&self, route: &Route) -> Vec<String> {
+        let id = |owner: usize| self.barriers.id(owner).to_owned();
+        let mut ids: Vec<String> = route.stops.iter().map(|stop| id(stop.circle.owner)).collect();
         ids.dedup();
         ids
     }

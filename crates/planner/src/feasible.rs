@@ -11,6 +11,7 @@
 //! Cost: about log2(clearance / resolution), 27 for 10 mm, times building the barriers and one search.
 
 use crate::at_clearance::AtClearance;
+use crate::barriers::Barriers;
 use crate::lowered::{largest_clearance, lowered};
 use crate::{FeasibleClearance, RapidMove, Stats};
 use traverse_geometry::{CONTACT_TOLERANCE_MM, Scene};
@@ -38,7 +39,8 @@ fn bisected(
     let most = largest_clearance(scene);
     let mut is_feasible = |by_mm: f64| -> Result<bool, Interrupt> {
         let scene = lowered(scene, by_mm);
-        AtClearance::new(&scene, query, budget)?.has_path(stats)
+        let barriers = Barriers::new(&scene, budget)?;
+        AtClearance::new(&barriers, query, budget).has_path(stats)
     };
     if most == 0.0 || !is_feasible(most)? {
         return Ok(FeasibleClearance::None);

@@ -31,7 +31,7 @@ impl Levels {
     pub(crate) fn of(barriers: &Barriers<'_>, rule: Option<HeightRule>) -> Self {
         let Some(rule) = rule else { return Self { rule: None, z_mm: vec![0.0] } };
         let lowest = rule.start_z_mm.max(rule.target_z_mm);
-        let tops = barriers.scene.obstacles.iter().filter_map(|obstacle| obstacle.top_z_mm);
+        let tops = barriers.owners().filter_map(|owner| barriers.obstacle(owner)?.top_z_mm);
         let passes = tops.map(|top| rule.pass_z_mm(top));
         let mut z_mm: Vec<f64> = passes.filter(|&z| z > lowest && z <= rule.highest_z_mm).collect();
         z_mm.push(lowest);
@@ -64,8 +64,8 @@ impl Levels {
 /// Owners of the barriers that are passed over at height `z_mm`.
 pub(crate) fn passed_over(barriers: &Barriers<'_>, rule: Option<HeightRule>, z_mm: f64) -> BTreeSet<usize> {
     let Some(rule) = rule else { return BTreeSet::new() };
-    let obstacles = barriers.scene.obstacles.iter().enumerate();
-    obstacles.filter(|(_, obstacle)| rule.passes_over(obstacle, z_mm)).map(|(owner, _)| owner).collect()
+    let is_low = |owner: &usize| barriers.obstacle(*owner).is_some_and(|low| rule.passes_over(low, z_mm));
+    barriers.owners().filter(is_low).collect()
 }
 
 /// The best of the levels, and what `solve` made of it. `vertical` ascends with the levels; `solve` gives the cost in

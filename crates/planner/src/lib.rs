@@ -43,6 +43,7 @@ mod feasible;
 mod level;
 mod lowered;
 mod plan;
+mod prepared;
 mod rapid_move;
 mod search;
 mod separating;
@@ -52,4 +53,5 @@ mod trace;
 mod way_out;
 
 pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
+pub use prepared::{EditRefusal, PreparedScene};
 pub use rapid_move::plan_rapid_move;

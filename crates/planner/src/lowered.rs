@@ -1,6 +1,20 @@
 //! Scenes with other clearances.
 
+use crate::barriers::Barriers;
 use traverse_geometry::{SMALLEST_CLEARANCE_MM, Scene};
+
+/// The scene with the obstacles that are there.
+pub(crate) fn present(barriers: &Barriers<'_>) -> Scene {
+    let obstacles = barriers.owners().filter_map(|owner| barriers.obstacle(owner).cloned()).collect();
+    let Scene { work_area, clearance_mm, work_area_clearance_mm, corner_style, .. } = barriers.scene;
+    Scene {
+        work_area: work_area.clone(),
+        obstacles,
+        clearance_mm: *clearance_mm,
+        work_area_clearance_mm: *work_area_clearance_mm,
+        corner_style: *corner_style,
+    }
+}
 
 /// The scene with another clearance for all that names none of its own.
 pub(crate) fn with_clearance(scene: &Scene, clearance_mm: f64) -> Scene {

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, left_of, positive_angle, unit,
+    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Segment, left_of, positive_angle, unit,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -28,7 +28,7 @@ pub(crate) fn depths(
     budget: &Budget,
 ) -> Result<Vec<(usize, f64)>, Interrupt> {
     let mut found = Vec::new();
-    for owner in (0..barriers.owner_count()).filter(|owner| !left_out.contains(owner)) {
+    for owner in barriers.owners_at(point).into_iter().filter(|owner| !left_out.contains(owner)) {
         budget.check(0)?;
         found.extend(depth(barriers, owner, point).map(|depth| (owner, depth)));
     }
@@ -58,10 +58,10 @@ pub(crate) fn stand(
 /// How far `point` lies inside the owner's barrier, if by more than half a contact tolerance.
 pub(crate) fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
     let clearance = barriers.clearance(owner);
-    let shape = shape(barriers, owner)?;
+    let shape = barriers.shape(owner)?;
     let reach = clearance.asked + CONTACT_TOLERANCE_MM;
     let mitred = matches!(clearance.style, CornerStyle::Miter { .. }) && clearance.asked > 0.0;
-    let is_obstacle = owner < barriers.scene.obstacles.len();
+    let is_obstacle = barriers.obstacle(owner).is_some();
     if is_obstacle && !mitred && !shape.bounds().grown(reach).contains(point) {
         return None;
     }
@@ -87,13 +87,6 @@ pub(crate) fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Opti
         clearance.asked - distance()
     };
     (depth > CONTACT_TOLERANCE_MM / 2.0).then_some(depth)
-}
-
-pub(crate) fn shape<'a>(barriers: &Barriers<'a>, owner: usize) -> Option<&'a Polygon> {
-    match barriers.scene.obstacles.get(owner) {
-        Some(obstacle) => Some(&obstacle.shape),
-        None => barriers.scene.work_area.as_ref(),
-    }
 }
 
 /// The point itself; on the border of what is planned at one contact tolerance, the places that far out from it, in
@@ -159,13 +152,13 @@ fn near(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Ve
             && !left_out.contains(&blocker.owner)
             && blocker.edge.distance_to_point(point) < CONTACT_TOLERANCE_MM
     };
-    barriers.whole.near(&here).filter(touches).copied().collect()
+    barriers.near(&here).filter(touches).copied().collect()
 }
 
 /// Whether a planned path may pass `place`.
 fn is_clear(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, place: Point) -> bool {
     let mut clear = true;
-    barriers.whole.blocking(&Segment::new(place, place), |blocker| {
+    barriers.blocking(&Segment::new(place, place), |blocker| {
         if left_out.contains(&blocker.owner) {
             return ControlFlow::Continue(());
         }
@@ -186,7 +179,7 @@ fn is_beside(
 ) -> Result<bool, Interrupt> {
     let line = Segment::new(point, place);
     let between = Edge::Segment(line);
-    let parted = barriers.whole.near(&line).any(|blocker| {
+    let parted = barriers.near(&line).any(|blocker| {
         !left_out.contains(&blocker.owner)
             && blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
             && blocker.edge.distance(&between) == 0.0
@@ -194,7 +187,7 @@ fn is_beside(
     if parted {
         return Ok(false);
     }
-    for owner in (0..barriers.owner_count()).filter(|owner| !left_out.contains(owner)) {
+    for owner in barriers.owners_at(place).into_iter().filter(|owner| !left_out.contains(owner)) {
         budget.check(0)?;
         if depth(barriers, owner, place).is_some() {
             return Ok(false);

@@ -14,7 +14,7 @@ pub(super) const LARGE: f64 = 27.0;
 /// Weight of the barrier's outline.
 pub(super) const BARRIER_LINE: f64 = 1.3;
 
-const SHEET: &str = "
+pub(super) const SHEET: &str = "
 text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font-size:21px;font-kerning:none;fill:#1c2733}
 .title{font-size:27px;font-weight:bold}
 .alert{font-weight:bold;fill:#a3120a}

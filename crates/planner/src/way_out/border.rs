@@ -26,7 +26,7 @@ pub(crate) fn pieces_near(legal: &Legal<'_>, within: f64, budget: &Budget) -> Re
     let mut pieces = Vec::new();
     let barriers = legal.barriers;
     let mitred = matches!(barriers.scene.corner_style, CornerStyle::Miter { .. });
-    for owner in (0..barriers.owner_count()).filter(|owner| !legal.left_out.contains(owner)) {
+    for owner in barriers.owners().filter(|owner| !legal.left_out.contains(owner)) {
         budget.check(0)?;
         let around = legal.is_inside(owner);
         if !around && within.is_infinite() {

@@ -3,7 +3,7 @@
 use super::border::crossings_with_ray;
 use crate::barrier::{Blocker, Clearance, Outline};
 use crate::barriers::Barriers;
-use crate::standing::{depth, shape};
+use crate::standing::depth;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Location, Point, Polygon, Segment};
@@ -61,7 +61,7 @@ impl<'a> Legal<'a> {
             return false;
         }
         let mut free = true;
-        self.barriers.whole.blocking(&way, |blocker| {
+        self.barriers.blocking(&way, |blocker| {
             if self.left_out.contains(&blocker.owner) || self.is_inside(blocker.owner) {
                 return ControlFlow::Continue(());
             }
@@ -74,7 +74,7 @@ impl<'a> Legal<'a> {
     /// Whether the way runs through what the owner covers, by more than a contact tolerance: asked in the middle between
     /// any two places where it meets the border's lines and circles.
     fn enters(&self, owner: usize, way: &Segment) -> bool {
-        let Some(shape) = shape(self.barriers, owner) else { return false };
+        let Some(shape) = self.barriers.shape(owner) else { return false };
         let length = way.length();
         let Some(direction) = way.vector().try_normalize(0.0) else { return false };
         let mut cuts = vec![0.0, length];
@@ -83,7 +83,7 @@ impl<'a> Legal<'a> {
         }
         cuts.retain(|cut| (0.0..=length).contains(cut));
         cuts.sort_by(f64::total_cmp);
-        let is_obstacle = owner < self.barriers.scene.obstacles.len();
+        let is_obstacle = self.barriers.obstacle(owner).is_some();
         let is_deep =
             |p: Point| covers(shape, is_obstacle, p) && shape.distance_to_border(p) > CONTACT_TOLERANCE_MM;
         // Between two places the depth is greatest in the middle, or a piece too short to tell.

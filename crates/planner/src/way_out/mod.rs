@@ -133,7 +133,7 @@ fn farthest(legal: &Legal<'_>) -> f64 {
         CornerStyle::Miter { limit } => limit.unwrap_or(MITER_RATIO_LIMIT),
     };
     let reach = |&(owner, _): &(usize, f64)| {
-        let bounds = crate::standing::shape(legal.barriers, owner).map(traverse_geometry::Polygon::bounds);
+        let bounds = legal.barriers.shape(owner).map(traverse_geometry::Polygon::bounds);
         let size = bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).norm());
         size + 2.0 * ratio * legal.barriers.clearance(owner).asked
     };
