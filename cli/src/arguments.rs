@@ -23,7 +23,7 @@ pub(crate) enum Command {
     /// Serves gRPC, gRPC-Web and JSON on one port until SIGINT or SIGTERM.
     Serve(Serve),
     /// Plans the shortest rapid move through a drawing.
-    Rapid(Rapid),
+    Rapid(Box<Rapid>),
     /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
     Inspect(Inspect),
     /// Checks a plan against its request, by code that shares nothing with the planner.

@@ -160,7 +160,7 @@ impl Refused {
                     ends.push(InsideEnd { field, obstacle, depth_mm });
                 }
                 Refusal::EndShutIn { field, obstacle, why } => {
-                    shut_in.push(ShutInEnd { field, obstacle, why })
+                    shut_in.push(ShutInEnd { field, obstacle, why });
                 }
                 Refusal::PublishedMethodNotApplicable { why } => {
                     other.get_or_insert(Self::PublishedMethodNotApplicable { why });
