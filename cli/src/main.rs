@@ -36,7 +36,7 @@ fn main() -> ExitCode {
     let done = runtime.block_on(async {
         match arguments.command {
             Command::Serve(serve) => serve::run(serve).await,
-            Command::Rapid(rapid) => rapid::run(rapid).await,
+            Command::Rapid(rapid) => rapid::run(*rapid).await,
             Command::Inspect(inspect) => inspect::run(&inspect),
             Command::Solve(solve) => solve::run(&solve),
             Command::Check(check) => check::run(check).await,
