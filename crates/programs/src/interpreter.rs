@@ -175,10 +175,15 @@ impl<'a> Interpreter<'a> {
     fn code(&mut self, code: Code, line: u32, read: &mut Read) -> Result<(), Fault> {
         match code {
             Code::Motion(motion) => {
-                if read.motion.is_some_and(|stated| stated != motion) {
-                    return Err(Fault::CodesContradict);
+                // G80 stands beside G0 in the first line of many a program.
+                let cancels = |motion| motion == Motion::None;
+                match read.motion {
+                    Some(stated) if stated != motion && !cancels(stated) && !cancels(motion) => {
+                        return Err(Fault::CodesContradict);
+                    }
+                    Some(stated) if !cancels(stated) => {}
+                    _ => read.motion = Some(motion),
                 }
-                read.motion = Some(motion);
                 return Ok(());
             }
             Code::Plane(plane) => self.modal.plane = Some(plane),

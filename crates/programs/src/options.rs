@@ -8,7 +8,8 @@ use traverse_geometry::{Point, Vector};
 /// How a program is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadOptions {
-    /// The controller. Absent: Fanuc when the program numbers itself (`O0001`), LinuxCNC otherwise.
+    /// The controller. Absent: Fanuc when the program numbers itself (`O0001`), Grbl when it holds `$` commands,
+    /// LinuxCNC otherwise.
     pub dialect: Option<GcodeDialect>,
     pub(crate) unit: Unit,
     /// Where the tool stands when the program begins, in the drawing, millimetres. Absent: not known, so the first
@@ -34,7 +35,11 @@ impl ReadOptions {
     }
 
     pub(crate) fn dialect(&self, survey: &Survey) -> GcodeDialect {
-        let guessed = if survey.numbers_programs { GcodeDialect::Fanuc } else { GcodeDialect::LinuxCnc };
+        let guessed = match survey {
+            Survey { numbers_programs: true, .. } => GcodeDialect::Fanuc,
+            Survey { commands_grbl: true, .. } => GcodeDialect::Grbl,
+            _ => GcodeDialect::LinuxCnc,
+        };
         self.dialect.unwrap_or(guessed)
     }
 }

@@ -14,6 +14,8 @@ pub(crate) struct Survey {
     pub(crate) places: [u8; 2],
     /// It numbers programs as Fanuc does.
     pub(crate) numbers_programs: bool,
+    /// It holds `$` commands, which only Grbl knows.
+    pub(crate) commands_grbl: bool,
     /// Whole numbers end in a point: `X10.`
     pub(crate) keeps_point: bool,
     /// It writes G00 rather than G0.
@@ -44,7 +46,10 @@ impl Survey {
             match block.kind {
                 Kind::TapeMark => survey.has_tape_mark |= !anything,
                 Kind::ProgramNumber => survey.numbers_programs = true,
-                Kind::Control => survey.jumps |= holds_goto(text),
+                Kind::Control => {
+                    survey.jumps |= holds_goto(text);
+                    survey.commands_grbl |= text.starts_with(b"$");
+                }
                 Kind::Fault(_) => survey.faults += 1,
                 Kind::Words | Kind::Assignment { .. } => {}
             }
