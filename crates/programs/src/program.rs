@@ -168,12 +168,12 @@ impl Reader<'_> {
         };
         let level = matches!(heights, Heights::Level(_)) && !rapid.up_or_down;
         if let Some(open) = &mut self.open
-            && rapid.role == RapidRole::Plain
+            && matches!(rapid.role, RapidRole::Plain | RapidRole::WithModes)
             && fixed.is_none()
             && level
             && open.fixed.is_none()
             && matches!(open.heights, Heights::Level(_))
-            && open.blocks.last().is_some_and(|last| last.words[2].is_none() && last.distance == distance)
+            && open.blocks.last().is_some_and(|last| last.words[2].is_none())
         {
             open.blocks.push(step);
             *open.before = before;

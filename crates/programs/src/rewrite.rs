@@ -138,7 +138,8 @@ impl Linking<'_> {
             } else {
                 self.planner.shortest(travel, RESERVE_STEPS * grid.step_mm())?
             };
-            if now.hits.is_empty() && !fed && way.length() > now.before_mm - LEAST_GAIN_MM {
+            let gains = |way: &Path| !now.hits.is_empty() || fed || way.length() < now.before_mm - LEAST_GAIN_MM;
+            if !gains(&way) {
                 return Ok(None);
             }
             for arcs in self.arc_motions() {
@@ -152,6 +153,9 @@ impl Linking<'_> {
                 };
                 let rounded = rounding.round(&way)?;
                 if self.is_sound(travel, &rounded, grid) {
+                    if !gains(&rounded.path) {
+                        return Ok(None);
+                    }
                     let spelling = Spelling::of(
                         self.program.bytes,
                         self.last_block()?,

@@ -28,7 +28,7 @@ pub(crate) fn edits(
     let Some((last, earlier)) = link.blocks.split_last() else { return Ok(Vec::new()) };
     let mut edits = Vec::new();
     for block in earlier {
-        edits.push(without_words(program.bytes, block));
+        edits.push(without_words(program.bytes, block, last.names_motion));
     }
     let mut inserted = Vec::new();
     let mut writer = Writer { link, last, spelling, motions, motion: None, fed: false, turned: false };
@@ -70,8 +70,9 @@ pub(crate) fn leaves_last(link: &Link, straight: StraightMotion) -> bool {
         && !matches!(link.heights, Heights::Sloped { from, to } if to < from)
 }
 
-/// The block without its X and Y words and the blanks before them; nothing when nothing else stands on its line.
-fn without_words(bytes: &[u8], block: &RapidBlock) -> Edit {
+/// The block without its X and Y words and the blanks before them; nothing when nothing else stands on its line, or
+/// nothing but a G0 that the last block says again.
+fn without_words(bytes: &[u8], block: &RapidBlock, motion_is_named: bool) -> Edit {
     let (start, end, next) = (block.start as usize, block.end as usize, block.next as usize);
     let mut kept = Vec::with_capacity(end - start);
     let mut at = start;
@@ -85,7 +86,12 @@ fn without_words(bytes: &[u8], block: &RapidBlock) -> Edit {
         at = word.end as usize;
     }
     kept.extend_from_slice(&bytes[at..end]);
-    if kept.iter().all(|byte| matches!(byte, b' ' | b'\t')) {
+    let blank = |byte: &u8| matches!(byte, b' ' | b'\t');
+    let is_motion = || match kept.trim_ascii() {
+        [b'G' | b'g', number @ ..] => number.iter().all(|byte| *byte == b'0' || blank(byte)),
+        _ => false,
+    };
+    if kept.iter().all(blank) || (motion_is_named && is_motion()) {
         return Edit { range: start..next, text: Vec::new() };
     }
     Edit { range: start..end, text: kept }

@@ -4,32 +4,32 @@
 
 /// One move of the machine.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Move {
+pub(crate) struct Move {
     /// 0 to 3.
-    pub code: u8,
-    pub from: [f64; 3],
-    pub to: [f64; 3],
+    pub(crate) code: u8,
+    pub(crate) from: [f64; 3],
+    pub(crate) to: [f64; 3],
     /// X and Y of the centre, millimetres; arcs only.
-    pub center: Option<[f64; 2]>,
-    pub feed: f64,
+    pub(crate) center: Option<[f64; 2]>,
+    pub(crate) feed: f64,
     /// Counted from 0.
-    pub line: usize,
+    pub(crate) line: usize,
 }
 
 /// What is in force behind a line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State {
-    pub motion: u8,
-    pub feed: f64,
-    pub absolute: bool,
-    pub inches: bool,
-    pub plane: u32,
-    pub absolute_centers: bool,
-    pub at: [f64; 3],
+pub(crate) struct State {
+    pub(crate) motion: u8,
+    pub(crate) feed: f64,
+    pub(crate) absolute: bool,
+    pub(crate) inches: bool,
+    pub(crate) plane: u32,
+    pub(crate) absolute_centers: bool,
+    pub(crate) at: [f64; 3],
 }
 
 /// Runs a program of the simple kind that tests make: moves, and the state behind every line.
-pub fn run(text: &str) -> (Vec<Move>, Vec<State>) {
+pub(crate) fn run(text: &str) -> (Vec<Move>, Vec<State>) {
     let mut state = State {
         motion: 0,
         feed: 0.0,
