@@ -3,11 +3,11 @@
 use crate::arguments::{Corner, DrawingFile, Rapid, Unit};
 use crate::failure::Failure;
 use crate::input;
+use std::collections::BTreeMap;
 use traverse_drawing::{
     Drawing, LengthUnit, Machine, ObstacleRole, Profiles, ReadOptions, Roles, SceneFromDrawing, SceneOptions,
     Selector, read_drawing, scene_from_drawing,
 };
-use std::collections::BTreeMap;
 use traverse_geometry::{CornerStyle, Scene};
 
 /// The scene that `arguments` ask for; the report goes to standard error.

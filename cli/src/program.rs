@@ -57,7 +57,9 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     say!("{table}");
     match rewritten.outcomes.iter().filter(|outcome| outcome.still_hits()).count() {
         0 => Ok(()),
-        1 => Err(Failure::Violations("1 rapid move still comes too near to something (see above)".to_owned())),
+        1 => {
+            Err(Failure::Violations("1 rapid move still comes too near to something (see above)".to_owned()))
+        }
         count => Err(Failure::Violations(format!(
             "{count} rapid moves still come too near to something (see above)"
         ))),

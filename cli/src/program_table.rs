@@ -48,7 +48,8 @@ impl ProgramTable<'_> {
             let lines = if first == last { first.to_string() } else { format!("{first}-{last}") };
             let Outcome { before_mm, after_mm, fed_mm, hits, .. } = outcome;
             let times = self.times(*before_mm, *after_mm, *fed_mm);
-            let hit = if hits.is_empty() { String::new() } else { format!("  too near to {}", hits.join(", ")) };
+            let hit =
+                if hits.is_empty() { String::new() } else { format!("  too near to {}", hits.join(", ")) };
             let saved = before_mm - after_mm;
             writeln!(f, "{lines:<13} {before_mm:>11.3} {after_mm:>10.3} {saved:>10.3}{times}{hit}")?;
         }

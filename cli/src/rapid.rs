@@ -28,8 +28,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         Method::Exact => Algorithm::Exact,
         Method::SupportingLines => Algorithm::SupportingLines,
     };
-    let mut request =
-        plan_request(&scene, &RapidMove { start: from, target: to, algorithm });
+    let mut request = plan_request(&scene, &RapidMove { start: from, target: to, algorithm });
     if let (Some(limit), Some(rules)) = (arguments.time_limit, &mut request.rules) {
         let time_limit = prost_types::Duration::try_from(limit).ok();
         rules.options = Some(v1::SolveOptions { time_limit, ..Default::default() });

@@ -336,7 +336,9 @@ mod tests {
     #[test]
     fn words_are_read_in_any_spelling() {
         let expected = [('G', Some(0.0)), ('X', Some(-1.0)), ('Y', Some(0.5))];
-        for line in ["G0X-1Y.5", "g00 x-1. y0.5", " G 0 X - 1 Y . 5 ", "G0(to)X-1(the;left)Y.5;done", "/G0X-1Y.5"] {
+        for line in
+            ["G0X-1Y.5", "g00 x-1. y0.5", " G 0 X - 1 Y . 5 ", "G0(to)X-1(the;left)Y.5;done", "/G0X-1Y.5"]
+        {
             assert_eq!(words(line), expected, "{line}");
         }
         assert_eq!(words("X#100 Y[#1+[2*3]] Z-#<depth>"), [('X', None), ('Y', None), ('Z', None)]);
@@ -346,7 +348,15 @@ mod tests {
     #[test]
     fn lines_are_told_apart() {
         let kinds = |line: &str| read(line).kind;
-        for line in ["O100 sub", "o<turn> call [1]", "IF[#1 EQ 2]GOTO 10", "N5 WHILE[#1LT3]DO1", "END1", "$H", "G0 X1 #1=2"] {
+        for line in [
+            "O100 sub",
+            "o<turn> call [1]",
+            "IF[#1 EQ 2]GOTO 10",
+            "N5 WHILE[#1LT3]DO1",
+            "END1",
+            "$H",
+            "G0 X1 #1=2",
+        ] {
             assert_eq!(kinds(line), Kind::Control, "{line}");
         }
         assert_eq!(kinds("O0001 (PART)"), Kind::ProgramNumber);

@@ -134,7 +134,9 @@ impl Code {
             10 => Self::Motion(Motion::Linear),
             20 => Self::Motion(Motion::Clockwise),
             30 => Self::Motion(Motion::CounterClockwise),
-            730 | 740 | 810..=890 if tenths.is_multiple_of(10) => Self::Motion(Motion::Cycle((tenths / 10) as u8)),
+            730 | 740 | 810..=890 if tenths.is_multiple_of(10) => {
+                Self::Motion(Motion::Cycle((tenths / 10) as u8))
+            }
             800 => Self::Motion(Motion::None),
             52 | 53 | 62 | 120 | 130 | 310 | 320 | 330 | 331 | 340 | 350 | 360 | 380..=385 | 600 | 760 => {
                 Self::Motion(Motion::Other)

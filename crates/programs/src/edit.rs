@@ -11,7 +11,10 @@ pub(crate) struct Edit {
 
 /// The text with `edits` made; they are in order and do not overlap. Cost: linear.
 pub(crate) fn apply(bytes: &[u8], edits: &[Edit]) -> Vec<u8> {
-    debug_assert!(edits.windows(2).all(|pair| pair[0].range.end <= pair[1].range.start), "edits are in order");
+    debug_assert!(
+        edits.windows(2).all(|pair| pair[0].range.end <= pair[1].range.start),
+        "edits are in order"
+    );
     let grown: usize = edits.iter().map(|edit| edit.text.len()).sum();
     let mut text = Vec::with_capacity(bytes.len() + grown);
     let mut at = 0;

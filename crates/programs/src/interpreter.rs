@@ -18,6 +18,8 @@ pub(crate) enum Deed {
     Other,
     /// A rapid move, or one between two holes of a canned cycle.
     Rapid(Rapid),
+    /// A move, but whether it is a rapid one is not known.
+    Vague,
     /// The line was not understood.
     Fault(Fault),
     /// Behind the `%` that ends the program.
@@ -278,11 +280,13 @@ impl<'a> Interpreter<'a> {
         let to: Vec<Result<Option<f64>, Lost>> = to.collect();
         let deed = match self.modal.motion {
             _ if !moves => Deed::Other,
+            None if axes[0].is_some() || axes[1].is_some() => Deed::Vague,
             Some(Motion::Rapid) => Deed::Rapid(self.rapid(block, from, &to, axes, other, read)),
             Some(Motion::Cycle(_)) => {
                 let mut rapid = self.rapid(block, from, &to, [axes[0], axes[1], None], other, read);
                 rapid.role = RapidRole::Cycle;
                 self.cycle(block, line, &to);
+                self.blur(axes, line);
                 return if rapid.along { Deed::Rapid(rapid) } else { Deed::Other };
             }
             _ => Deed::Other,
@@ -300,6 +304,7 @@ impl<'a> Interpreter<'a> {
                 (_, Some(lost)) => self.modal.lose(axis, line, lost),
             }
         }
+        self.blur(axes, line);
         if other.is_some_and(|axis| b"UVW".contains(&axis)) {
             self.modal.lose_position(line, Lost::UnknownMove);
         }
@@ -307,6 +312,15 @@ impl<'a> Interpreter<'a> {
             self.modal.lose_position(line, Lost::UnknownMove);
         }
         deed
+    }
+
+    /// Turned, mirrored or beside the contour a word of one axis moves both.
+    fn blur(&mut self, axes: [Option<&Word>; 3], line: u32) {
+        let along = axes[0].is_some() || axes[1].is_some();
+        if let Some((_, distortion)) = self.modal.distortion().filter(|_| along) {
+            self.modal.lose(0, line, Lost::Distorted(distortion));
+            self.modal.lose(1, line, Lost::Distorted(distortion));
+        }
     }
 
     fn once(&mut self, once: Once, axes: [Option<&Word>; 3], line: u32) -> Deed {

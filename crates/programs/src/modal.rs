@@ -37,7 +37,11 @@ pub(crate) enum Feed {
     /// None was given yet: the next feed move brings its own.
     Unset,
     /// Where its number stands in the program, and for which unit it was given.
-    Stands { start: u32, end: u32, unit: Option<Unit> },
+    Stands {
+        start: u32,
+        end: u32,
+        unit: Option<Unit>,
+    },
     Unknown,
 }
 

@@ -105,6 +105,11 @@ impl Reader<'_> {
                 self.close();
                 self.retract_line = None;
             }
+            Deed::Vague => {
+                self.close();
+                self.retract_line = None;
+                self.program.untouched.push((line.number, Reason::MotionUnknown));
+            }
             Deed::Fault(fault) => {
                 self.close();
                 self.retract_line = None;
@@ -227,9 +232,10 @@ fn rapid_block(line: Line, block: &Block, target: Point, distance: Distance) -> 
         words: [word(b'X'), word(b'Y'), word(b'Z')],
         target,
         distance,
-        names_motion: block.words.iter().any(|word| {
-            word.letter == b'G' && word.decimal().is_some_and(crate::decimal::Decimal::is_zero)
-        }),
+        names_motion: block
+            .words
+            .iter()
+            .any(|word| word.letter == b'G' && word.decimal().is_some_and(crate::decimal::Decimal::is_zero)),
         sets_feed: block.word(b'F').is_some(),
     })
 }
@@ -240,7 +246,8 @@ fn unknown(rapid: &Rapid, before: &Modal, after: &Modal) -> Reason {
         return Reason::Distorted { line, distortion };
     }
     if point(rapid.from).is_none() {
-        let (line, lost) = before.lost[0];
+        // Known before the block: something in the block itself is to blame.
+        let (line, lost) = if point(before.at).is_some() { after.lost[0] } else { before.lost[0] };
         return Reason::StartUnknown { line, lost };
     }
     let (_, lost) = after.lost[0];

@@ -27,6 +27,8 @@ pub enum Reason {
         /// Why.
         distortion: Distortion,
     },
+    /// Whether it is a rapid move at all.
+    MotionUnknown,
     /// A comment protects it.
     Protected,
     /// The operator decides whether it runs.
@@ -76,6 +78,9 @@ impl fmt::Display for Reason {
             }
             Self::TargetUnknown { lost } => write!(f, "where it ends is not known: {}", lost.words()),
             Self::Distorted { line, distortion } => write!(f, "{} since line {line}", distortion.words()),
+            Self::MotionUnknown => {
+                f.write_str("whether it moves rapidly is not known; say G0, G1, G2 or G3 in the block")
+            }
             Self::Protected => f.write_str("protected by a comment"),
             Self::Skippable => f.write_str("the block may be skipped (/)"),
             Self::DoesMore(letter) => {

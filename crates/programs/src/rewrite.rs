@@ -85,7 +85,8 @@ impl Linking<'_> {
         let before_mm = before.length();
         let travel = self.travel();
         let hits = if before_mm > 0.0 { self.planner.look(&travel, &before).hits } else { Vec::new() };
-        let mut outcome = Outcome { before_mm, after_mm: before_mm, fed_mm: 0.0, hits, done: Done::Unchanged };
+        let mut outcome =
+            Outcome { before_mm, after_mm: before_mm, fed_mm: 0.0, hits, done: Done::Unchanged };
         let fed = self.options.straight != StraightMotion::Rapid;
         if before_mm == 0.0 || (self.link.blocks.len() == 1 && outcome.hits.is_empty() && !fed) {
             return (outcome, Vec::new());
@@ -138,7 +139,8 @@ impl Linking<'_> {
             } else {
                 self.planner.shortest(travel, RESERVE_STEPS * grid.step_mm())?
             };
-            let gains = |way: &Path| !now.hits.is_empty() || fed || way.length() < now.before_mm - LEAST_GAIN_MM;
+            let gains =
+                |way: &Path| !now.hits.is_empty() || fed || way.length() < now.before_mm - LEAST_GAIN_MM;
             if !gains(&way) {
                 return Ok(None);
             }
@@ -184,9 +186,8 @@ impl Linking<'_> {
             let Some(block) = self.link.blocks.last() else { return false };
             let short = grid.point(last.end) - travel.to;
             let absolute = block.distance == Distance::Absolute;
-            let carries = |word: usize, short: f64| {
-                (absolute && block.words[word].is_some()) || short.abs() < 1e-9
-            };
+            let carries =
+                |word: usize, short: f64| (absolute && block.words[word].is_some()) || short.abs() < 1e-9;
             carries(0, short.x) && carries(1, short.y)
         });
         let arrives = arrives && (!rounded.moves.is_empty() || leaves_last(self.link, self.options.straight));

@@ -52,7 +52,8 @@ impl<'a> Prepared<'a> {
         let make = || {
             let mut scene = self.scene.clone();
             scene.clearance_mm += reserve_mm;
-            scene.work_area_clearance_mm = scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
+            scene.work_area_clearance_mm =
+                scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
             for obstacle in &mut scene.obstacles {
                 obstacle.clearance_mm = obstacle.clearance_mm.map(|clearance| clearance + reserve_mm);
             }
@@ -170,9 +171,8 @@ impl RapidPlanner for ScenePlanner<'_> {
             if stop.names(which) { out() } else { Ok(end) }
         };
         let (from, to) = (leave("start", travel.from)?, leave("target", travel.to)?);
-        let between = self
-            .plan(&wider, from, to)
-            .map_err(|stop| self.reason(prepared, travel, &stop, reserve_mm))?;
+        let between =
+            self.plan(&wider, from, to).map_err(|stop| self.reason(prepared, travel, &stop, reserve_mm))?;
         let mut path = Path::at(travel.from);
         path.line_to(from);
         path.steps.extend(between.steps);

@@ -147,7 +147,11 @@ impl Writer<'_> {
             words.push(self.spelling.code(before.plane.ok_or_else(not_known)?));
         }
         if self.motion.is_some_and(|motion| motion != 0) && !self.last.names_motion {
-            debug_assert_eq!(before.motion, Some(Motion::Rapid), "a block that names no motion moves rapidly");
+            debug_assert_eq!(
+                before.motion,
+                Some(Motion::Rapid),
+                "a block that names no motion moves rapidly"
+            );
             words.push(self.spelling.code(0));
         }
         if self.fed && !self.last.sets_feed {

@@ -11,7 +11,9 @@ use std::fmt::Write;
 use traverse_checker::RapidMoveChecker;
 use traverse_drawing::{ArcMotion, StraightMotion};
 use traverse_geometry::{CornerStyle, Obstacle, Path, Point, Polygon, Ring, Scene};
-use traverse_programs::{Done, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite};
+use traverse_programs::{
+    Done, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
+};
 use traverse_solve::Budget;
 
 /// The feed of arcs that stand for rapid moves, as no cut has it.
@@ -67,7 +69,8 @@ fn spelling() -> impl Strategy<Value = Spelling> {
 
 /// Writes the steps as a program. Targets are tenths of millimetres; it keeps count of where it is.
 fn program(steps: &[Step], spelling: Spelling) -> String {
-    let mut writer = Writer { at: (0, 0), absolute: true, inches: false, centers: false, plane: 17, motion: 0 };
+    let mut writer =
+        Writer { at: (0, 0), absolute: true, inches: false, centers: false, plane: 17, motion: 0 };
     let mut lines = vec!["G21 G90 G17 G91.1".to_owned(), "G0 X0 Y0".to_owned(), "F300".to_owned()];
     lines.extend(steps.iter().flat_map(|step| writer.line(step)));
     lines.push("M2".to_owned());
@@ -97,7 +100,11 @@ struct Writer {
 impl Writer {
     /// A number of tenths of a millimetre; of inches when they are in force, where tenths stand for hundredths.
     fn number(&self, tenths: i32) -> String {
-        if self.inches { format!("{}", f64::from(tenths) / 200.0) } else { format!("{}", f64::from(tenths) / 10.0) }
+        if self.inches {
+            format!("{}", f64::from(tenths) / 200.0)
+        } else {
+            format!("{}", f64::from(tenths) / 10.0)
+        }
     }
 
     fn words(&mut self, x: i32, y: i32) -> String {
@@ -170,7 +177,12 @@ impl Writer {
 }
 
 fn scene(style: CornerStyle) -> Scene {
-    let boxes = [(-60.0, -20.0, -30.0, 45.0), (20.0, -70.0, 38.0, -5.0), (5.0, 20.0, 80.0, 32.0), (70.0, -40.0, 84.0, 60.0)];
+    let boxes = [
+        (-60.0, -20.0, -30.0, 45.0),
+        (20.0, -70.0, 38.0, -5.0),
+        (5.0, 20.0, 80.0, 32.0),
+        (70.0, -40.0, 84.0, 60.0),
+    ];
     let mut obstacles: Vec<Obstacle> = boxes
         .into_iter()
         .enumerate()
@@ -185,7 +197,8 @@ fn scene(style: CornerStyle) -> Scene {
 }
 
 fn rewritten(text: &str, scene: &Scene, options: &WriteOptions) -> (Rewritten, Vec<(u32, u32)>) {
-    let scenes = ToolScenes { any: scene.clone(), by_tool: std::collections::BTreeMap::new(), safe_z_mm: None };
+    let scenes =
+        ToolScenes { any: scene.clone(), by_tool: std::collections::BTreeMap::new(), safe_z_mm: None };
     let mut read = ReadOptions::default();
     read.start = Some(Point::new(0.0, 0.0));
     let program = Program::read(text.as_bytes(), &read).unwrap();
@@ -237,7 +250,8 @@ fn same_work(text: &str, scene: &Scene, options: &WriteOptions) -> Result<(), Te
             && was.feed.to_bits() == is.feed.to_bits();
         prop_assert!(same, "{:?}\n{:?}\n{}\n---\n{}", was, is, text, after_text);
         prop_assert_eq!(&before_states[was.line].motion, &after_states[is.line].motion);
-        let modes = |s: &machine::State| (s.absolute, s.inches, s.plane, s.absolute_centers, s.feed.to_bits());
+        let modes =
+            |s: &machine::State| (s.absolute, s.inches, s.plane, s.absolute_centers, s.feed.to_bits());
         prop_assert_eq!(modes(&before_states[was.line]), modes(&after_states[is.line]), "{}", after_text);
     }
     prop_assert_eq!(modes_at_end(&before_states), modes_at_end(&after_states));

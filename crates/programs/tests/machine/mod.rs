@@ -70,7 +70,14 @@ pub(crate) fn run(text: &str) -> (Vec<Move>, Vec<State>) {
                 let [i, j] = ['I', 'J'].map(|letter| value(letter).unwrap_or(0.0) * unit);
                 if state.absolute_centers { [i, j] } else { [state.at[0] + i, state.at[1] + j] }
             });
-            moves.push(Move { code: state.motion, from: state.at, to, center, feed: state.feed * unit, line });
+            moves.push(Move {
+                code: state.motion,
+                from: state.at,
+                to,
+                center,
+                feed: state.feed * unit,
+                line,
+            });
             state.at = to;
         }
         states.push(state.clone());
