@@ -18,6 +18,9 @@ pub enum ProgramError {
         /// Counted from 1.
         line: usize,
     },
+    /// Nothing in it moves or sets anything.
+    #[error("this is no G-code: no line of it is a block of words such as G0 X10")]
+    NoBlocks,
     /// More lines are wrong than right.
     #[error("this is no G-code: {faults} lines make no sense, the first is line {line}: {fault}")]
     NoProgram {

@@ -71,6 +71,9 @@ impl<'a> Program<'a> {
         }
         reader.close();
         let program = reader.program;
+        if program.survey.understood == 0 && program.survey.controls > 0 {
+            return Err(ProgramError::NoBlocks);
+        }
         if program.survey.faults > program.survey.understood {
             let first = program.faults.first().map(|(line, fault)| (*line, *fault));
             let (line, fault) = first.unwrap_or((1, Fault::NoCode));

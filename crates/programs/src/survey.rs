@@ -31,6 +31,8 @@ pub(crate) struct Survey {
     /// Lines that hold words and were understood, and those that were not.
     pub(crate) understood: u64,
     pub(crate) faults: u64,
+    /// Lines that decide which lines run.
+    pub(crate) controls: u64,
 }
 
 impl Survey {
@@ -47,6 +49,7 @@ impl Survey {
                 Kind::TapeMark => survey.has_tape_mark |= !anything,
                 Kind::ProgramNumber => survey.numbers_programs = true,
                 Kind::Control => {
+                    survey.controls += 1;
                     survey.jumps |= holds_goto(text);
                     survey.commands_grbl |= text.starts_with(b"$");
                 }

@@ -27,9 +27,6 @@ pub(crate) fn edits(
 ) -> Result<Vec<Edit>, Reason> {
     let Some((last, earlier)) = link.blocks.split_last() else { return Ok(Vec::new()) };
     let mut edits = Vec::new();
-    for block in earlier {
-        edits.push(without_words(program.bytes, block, last.names_motion));
-    }
     let mut inserted = Vec::new();
     let mut writer = Writer { link, last, spelling, motions, motion: None, fed: false, turned: false };
     if let Heights::Sloped { from, to } = link.heights
@@ -44,6 +41,11 @@ pub(crate) fn edits(
         writer.block(each, &mut inserted)?;
     }
     writer.restore(program.bytes, &mut inserted)?;
+    // What is inserted names its motion too, and leaves G0 in force.
+    let motion_is_named = last.names_motion || !inserted.is_empty();
+    for block in earlier {
+        edits.push(without_words(program.bytes, block, motion_is_named));
+    }
     if !inserted.is_empty() {
         let start = last.start as usize;
         edits.push(Edit { range: start..start, text: inserted });
@@ -71,7 +73,7 @@ pub(crate) fn leaves_last(link: &Link, straight: StraightMotion) -> bool {
 }
 
 /// The block without its X and Y words and the blanks before them; nothing when nothing else stands on its line, or
-/// nothing but a G0 that the last block says again.
+/// nothing but a G0 that is said again behind it.
 fn without_words(bytes: &[u8], block: &RapidBlock, motion_is_named: bool) -> Edit {
     let (start, end, next) = (block.start as usize, block.end as usize, block.next as usize);
     let mut kept = Vec::with_capacity(end - start);

@@ -122,8 +122,9 @@ fn what_is_no_program_is_refused_with_its_line() {
     assert_eq!(refused(b"G0 X1\nG0\0X2\n"), ProgramError::NoText { line: 2 });
     let utf_16: Vec<u8> = "G0 X1".encode_utf16().flat_map(u16::to_le_bytes).collect();
     assert_eq!(refused(&utf_16), ProgramError::NoText { line: 1 });
-    let text = refused("Dear Sir,\nthis is a letter.\nYours\n".as_bytes()).to_string();
-    assert!(text.contains("no G-code") && text.contains("line"), "{text}");
+    assert_eq!(refused(b"Dear Sir,\nthis is a letter.\nYours\n"), ProgramError::NoBlocks);
+    let text = refused(b"{\"x\": 1}\n{\"y\": 2}\n").to_string();
+    assert!(text.contains("no G-code: 2 lines make no sense, the first is line 1"), "{text}");
     assert!(refused(&vec![b'\n'; PROGRAM_BYTE_LIMIT + 1]).to_string().contains("longer than"));
     assert_eq!(rewritten(b"", &pins(1)).unwrap(), b"");
 }
