@@ -97,7 +97,7 @@ fn unknown_keys_are_refused_with_line_and_known_names() {
         (
             "[machine.a]\nclearance = 2\n",
             "shop.toml:2: machine.a.clearance: unknown field `clearance`, expected one of `clearance_mm`, \
-             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`; correct this line",
+             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`, `tools`, `offsets`; correct this line",
         ),
         (
             "[machine.a.roles]\nobstacles = [\"*\"]\npart = [\"P\"]\n",

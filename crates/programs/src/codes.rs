@@ -1,6 +1,8 @@
 //! What G codes mean. Sources: LinuxCNC, "G-Code Reference"; Grbl 1.1, `gcode.c`; Fanuc 0i-MF, operator's manual,
 //! "Preparatory function". Where they differ, what is taken is what makes fewer positions known.
 
+use traverse_drawing::GcodeUnit as Unit;
+
 /// A G code, by what it does to what follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Code {
@@ -49,22 +51,6 @@ pub(crate) enum Motion {
     None,
     /// Probing, threads, splines: where they end is not known.
     Other,
-}
-
-/// The unit of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unit {
-    Inches,
-    Millimetres,
-}
-
-impl Unit {
-    pub(crate) fn millimetres(self) -> f64 {
-        match self {
-            Self::Inches => 25.4,
-            Self::Millimetres => 1.0,
-        }
-    }
 }
 
 /// What numbers count from.

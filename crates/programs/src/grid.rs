@@ -1,12 +1,12 @@
 //! Positions as whole counts of the last decimal place that a program is written to.
 
-use crate::codes::Unit;
+use traverse_drawing::GcodeUnit;
 use traverse_geometry::{Point, Vector};
 
 /// The last decimal place, and where its counts begin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
-    pub(crate) unit: Unit,
+    pub(crate) unit: GcodeUnit,
     pub(crate) places: u8,
     /// Where the counts are 0, in the drawing: the program's zero, or the start of a move in increments.
     pub(crate) origin: Point,

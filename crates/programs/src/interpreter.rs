@@ -390,8 +390,8 @@ impl<'a> Interpreter<'a> {
         let repeats = block.word(b'L').or_else(|| block.word(b'K'));
         let count = repeats.map_or(Some(1), |word| word.decimal().and_then(crate::decimal::Decimal::whole));
         let once = count == Some(1) || (count > Some(1) && self.modal.distance == Some(Distance::Absolute));
-        for axis in 0..2 {
-            match (&to[axis], once) {
+        for (axis, target) in to.iter().enumerate().take(2) {
+            match (target, once) {
                 (Ok(Some(target)), true) => self.modal.at[axis] = Some(*target),
                 (Err(lost), true) => self.modal.lose(axis, line, *lost),
                 (Ok(None), true) => {}

@@ -1,6 +1,7 @@
 //! What is in force at a block. None means that it is not known: then what depends on it is left alone.
 
-use crate::codes::{DISTORTIONS, Distance, Distortion, Motion, Retract, Unit};
+use crate::codes::{DISTORTIONS, Distance, Distortion, Motion, Retract};
+use traverse_drawing::GcodeUnit as Unit;
 use traverse_geometry::Vector;
 
 /// Everything that blocks leave behind.

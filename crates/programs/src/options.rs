@@ -1,6 +1,5 @@
 //! How a program is read: what its text alone does not say.
 
-use crate::codes::Unit;
 use crate::survey::Survey;
 use traverse_drawing::{GcodeDialect, GcodeUnit};
 use traverse_geometry::{Point, Vector};
@@ -11,7 +10,8 @@ pub struct ReadOptions {
     /// The controller. Absent: Fanuc when the program numbers itself (`O0001`), Grbl when it holds `$` commands,
     /// LinuxCNC otherwise.
     pub dialect: Option<GcodeDialect>,
-    pub(crate) unit: Unit,
+    /// The unit that holds until the program states one. Default: millimetres.
+    pub unit: GcodeUnit,
     /// Where the tool stands when the program begins, in the drawing, millimetres. Absent: not known, so the first
     /// rapid move is left alone.
     pub start: Option<Point>,
@@ -23,10 +23,6 @@ impl ReadOptions {
     /// `unit` holds until the program states one.
     #[must_use]
     pub fn new(unit: GcodeUnit) -> Self {
-        let unit = match unit {
-            GcodeUnit::Millimetres => Unit::Millimetres,
-            GcodeUnit::Inches => Unit::Inches,
-        };
         Self { dialect: None, unit, start: None, offsets: Offsets::default() }
     }
 

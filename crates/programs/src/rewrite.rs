@@ -218,11 +218,10 @@ impl Linking<'_> {
 
     /// The decimal places that are tried.
     fn places(&self) -> (u8, u8) {
-        let inches = self.link.before.unit == Some(crate::codes::Unit::Inches);
-        let unit = if inches { GcodeUnit::Inches } else { GcodeUnit::Millimetres };
+        let unit = self.link.before.unit.unwrap_or_default();
         let most = self.program.dialect.most_decimals(unit);
         let usual = self.program.dialect.usual_decimals(unit);
-        let own = self.program.survey.places[usize::from(inches)].max(usual);
+        let own = self.program.survey.places[usize::from(unit == GcodeUnit::Inches)].max(usual);
         self.options.decimals.map_or((own, own.max(most)), |asked| (asked, asked))
     }
 

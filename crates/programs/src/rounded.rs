@@ -4,7 +4,7 @@ use crate::codes::Distance;
 use crate::grid::{Counts, Grid};
 use crate::reason::Reason;
 use std::f64::consts::{PI, TAU};
-use traverse_drawing::{ArcMotion, GcodeDialect, GcodeUnit, SMALLEST_CHORD_TOLERANCE_MM, chords_outside};
+use traverse_drawing::{ArcMotion, GcodeDialect, SMALLEST_CHORD_TOLERANCE_MM, chords_outside};
 use traverse_geometry::{Arc, Path, PathArc, PathStep, Point, cross};
 
 /// Longer arcs are split in two: near a full turn rounding decides between all and nothing.
@@ -173,11 +173,7 @@ impl Writer {
             return None;
         }
         let mismatch = (one - other).abs();
-        let unit = match grid.unit {
-            crate::codes::Unit::Inches => GcodeUnit::Inches,
-            crate::codes::Unit::Millimetres => GcodeUnit::Millimetres,
-        };
-        if mismatch > SHARE_OF_TOLERANCE * self.rounding.dialect.radius_tolerance_mm(unit, one) {
+        if mismatch > SHARE_OF_TOLERANCE * self.rounding.dialect.radius_tolerance_mm(grid.unit, one) {
             return None;
         }
         let across = traverse_geometry::left_of(chord) / chord.norm();

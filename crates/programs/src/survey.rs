@@ -1,8 +1,9 @@
 //! A first look over the whole program: what has to be known before its first line is acted on.
 
 use crate::block::{Block, Kind};
-use crate::codes::{Code, Unit};
+use crate::codes::Code;
 use crate::line::lines;
+use traverse_drawing::GcodeUnit as Unit;
 
 /// Decimal places are counted up to here; more are not written.
 const MOST_PLACES: u8 = 6;

@@ -199,8 +199,7 @@ fn scene(style: CornerStyle) -> Scene {
 fn rewritten(text: &str, scene: &Scene, options: &WriteOptions) -> (Rewritten, Vec<(u32, u32)>) {
     let scenes =
         ToolScenes { any: scene.clone(), by_tool: std::collections::BTreeMap::new(), safe_z_mm: None };
-    let mut read = ReadOptions::default();
-    read.start = Some(Point::new(0.0, 0.0));
+    let read = ReadOptions { start: Some(Point::new(0.0, 0.0)), ..ReadOptions::default() };
     let program = Program::read(text.as_bytes(), &read).unwrap();
     assert!(program.faults.is_empty(), "{:?}", program.faults);
     assert!(program.untouched.is_empty(), "{:?}", program.untouched);

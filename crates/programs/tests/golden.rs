@@ -46,9 +46,7 @@ fn check(name: &str, read: &ReadOptions, write: &WriteOptions) {
 }
 
 fn fed() -> WriteOptions {
-    let mut options = WriteOptions::default();
-    options.arcs = ArcMotion::Fed { feed_mm_per_min: 6000.0 };
-    options
+    WriteOptions { arcs: ArcMotion::Fed { feed_mm_per_min: 6000.0 }, ..WriteOptions::default() }
 }
 
 #[test]

@@ -36,10 +36,8 @@ fn pins(count: u32) -> ToolScenes {
 }
 
 fn rewritten(bytes: &[u8], scenes: &ToolScenes) -> Option<Vec<u8>> {
-    let mut read = ReadOptions::default();
-    read.start = Some(Point::new(0.0, 0.0));
-    let mut write = WriteOptions::default();
-    write.arcs = ArcMotion::Fed { feed_mm_per_min: 5000.0 };
+    let read = ReadOptions { start: Some(Point::new(0.0, 0.0)), ..ReadOptions::default() };
+    let write = WriteOptions { arcs: ArcMotion::Fed { feed_mm_per_min: 5000.0 }, ..WriteOptions::default() };
     let program = Program::read(bytes, &read).ok()?;
     let budget = Budget::unlimited();
     Some(rewrite(&program, &ScenePlanner::new(scenes, &budget), &write).text)
