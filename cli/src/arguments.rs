@@ -4,7 +4,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;
-use traverse_geometry::Point;
+use traverse_geometry::{EndRule, Point};
 
 /// Plans how a cutting machine travels: the shortest collision-free rapid move, proven.
 #[derive(Debug, Parser)]
@@ -15,7 +15,7 @@ pub(crate) struct Arguments {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 input that can't be used, \
-4 no collision-free path (proven), 5 the checker found violations, 6 server not reachable, 7 not now (time limit, full \
+4 no collision-free path, no tour (proven), 5 the checker found violations, 6 server not reachable, 7 not now (time limit, full \
 queue).";
 
 #[derive(Debug, Subcommand)]
@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Rapid(Rapid),
     /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
     Inspect(Inspect),
+    /// Orders a TSPLIB matrix (.atsp, .sop, .tsp with listed weights) and prints one JSON line.
+    Solve(Solve),
     /// Checks a plan against its request, by code that shares nothing with the planner.
     Check(Check),
     /// Calls any method with proto3 JSON, in process or on a server.
@@ -118,7 +120,7 @@ pub(crate) struct Rapid {
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, required_unless_present = "program")]
     pub(crate) to: Option<Point>,
     /// Replaces the rapid moves of this G-code program instead, and tells what that saves. Write it with -o OUT.nc.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "request", "server", "algorithm"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "request", "server", "algorithm", "leave", "enter", "start_z"])]
     pub(crate) program: Option<PathBuf>,
     /// At this Z of the program, millimetres, and above it nothing is in the way. Default: nowhere.
     #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "program")]
@@ -127,11 +129,41 @@ pub(crate) struct Rapid {
     #[arg(long, value_name = "MM_PER_MIN", requires = "program")]
     pub(crate) arc_feed: Option<f64>,
     /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin. May come from --machine.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true, required_unless_present = "machine")]
-    pub(crate) clearance: Option<f64>,
+    /// Several (6,4,2.5) are tried largest first; the first that admits a path counts.
+    #[arg(
+        long,
+        value_name = "MM[,MM…]",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        required_unless_present = "machine"
+    )]
+    pub(crate) clearance: Vec<f64>,
     /// Distance kept from the work area's border, millimetres. Default: the clearance.
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     pub(crate) border_clearance: Option<f64>,
+    /// What happens where the start lies inside a barrier: refuse, nearest (out by the shortest straight way), or X,Y, the
+    /// direction to go out in.
+    #[arg(long, value_name = "refuse|nearest|X,Y", default_value = "refuse", value_parser = end_rule, allow_hyphen_values = true)]
+    pub(crate) leave: EndRule,
+    /// The same for the target; the direction is seen from the target outwards.
+    #[arg(long, value_name = "refuse|nearest|X,Y", default_value = "refuse", value_parser = end_rule, allow_hyphen_values = true)]
+    pub(crate) enter: EndRule,
+    /// Height of the start, millimetres. With it the tool may rise and pass over what is low enough.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "highest_z")]
+    pub(crate) start_z: Option<f64>,
+    /// Height of the target, millimetres. Default: the start's.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) target_z: Option<f64>,
+    /// The tool never goes higher, millimetres.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) highest_z: Option<f64>,
+    /// Kept above every top that is passed over, millimetres. Default: the largest clearance.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) clearance_z: Option<f64>,
+    /// Height of the top of every obstacle for which the machine's profile names none, millimetres. Without one an obstacle
+    /// can't be passed over.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) top: Option<f64>,
     /// How barriers turn convex corners. Default: round.
     #[arg(long, value_enum)]
     pub(crate) corner: Option<Corner>,
@@ -208,10 +240,57 @@ pub(crate) struct Demo {
     pub(crate) out: PathBuf,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct Solve {
+    /// A TSPLIB file with explicit weights; `-` reads standard input.
+    pub(crate) file: PathBuf,
+    /// Stop after this long, such as 60s, and answer with the best so far.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "60s")]
+    pub(crate) time_limit: Duration,
+    /// Stop after this many iterations. The same limit, seed and one thread give the same answer.
+    #[arg(long, value_name = "COUNT")]
+    pub(crate) iteration_limit: Option<u64>,
+    /// Where chance comes from.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// 2 or more: local search beside the proof.
+    #[arg(long, value_name = "COUNT", default_value_t = 1)]
+    pub(crate) threads: usize,
+    /// The ladder, or a method published in 2009.
+    #[arg(long, value_enum, default_value_t = SolveMethod::Ladder)]
+    pub(crate) method: SolveMethod,
+    /// Prints the order of visits too, nodes counted from 0.
+    #[arg(long)]
+    pub(crate) tour: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum SolveMethod {
+    /// Whatever proves the optimum soonest.
+    Ladder,
+    /// Branch and bound on one arc in or out, bounded by assignments.
+    BranchAndBound,
+    /// An ant colony.
+    AntColony,
+    /// Successive improvement.
+    SuccessiveImprovement,
+}
+
+impl From<SolveMethod> for traverse_tours::Method {
+    fn from(method: SolveMethod) -> Self {
+        match method {
+            SolveMethod::Ladder => Self::Ladder,
+            SolveMethod::BranchAndBound => Self::BranchAndBound,
+            SolveMethod::AntColony => Self::AntColony,
+            SolveMethod::SuccessiveImprovement => Self::SuccessiveImprovement,
+        }
+    }
+}
+
 /// A time in seconds.
 fn seconds(text: &str) -> Result<Duration, String> {
-    let wrong = || format!("{text} is no time; write seconds, such as 2.5");
-    let seconds: f64 = text.parse().map_err(|_| wrong())?;
+    let wrong = || format!("{text} is no time; write seconds, such as 2.5 or 60s");
+    let seconds: f64 = text.strip_suffix('s').unwrap_or(text).parse().map_err(|_| wrong())?;
     Duration::try_from_secs_f64(seconds).map_err(|_| wrong())
 }
 
@@ -221,6 +300,17 @@ fn point(text: &str) -> Result<Point, String> {
     let (x, y) = text.split_once(',').ok_or_else(wrong)?;
     let number = |text: &str| text.trim().parse::<f64>().map_err(|_| wrong());
     Ok(Point::new(number(x)?, number(y)?))
+}
+
+/// What happens at an end inside a barrier.
+fn end_rule(text: &str) -> Result<EndRule, String> {
+    match text {
+        "refuse" => Ok(EndRule::Refuse),
+        "nearest" => Ok(EndRule::Nearest),
+        _ => point(text)
+            .map(|p| EndRule::Direction(p.coords))
+            .map_err(|_| format!("{text} is no rule; write refuse, nearest, or a direction X,Y such as 0,1")),
+    }
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use crate::serve::start_failure;
 use std::time::{Duration, Instant};
 use tonic::transport::Channel;
 use traverse_drawing::{ReadOptions, SceneOptions, read_dxf, scene_from_drawing};
-use traverse_geometry::{CornerStyle, Point, Scene};
+use traverse_geometry::{CornerStyle, Point, RapidRules, Scene};
 use traverse_planner::{Algorithm, RapidMove};
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::v1::planner_service_client::PlannerServiceClient;
@@ -146,7 +146,12 @@ async fn show(
     arguments: &Demo,
 ) -> Result<String, Failure> {
     let scene = scene_of(wanted)?;
-    let query = RapidMove { start: at(wanted.from), target: at(wanted.to), algorithm: Algorithm::Exact };
+    let query = RapidMove {
+        start: at(wanted.from),
+        target: at(wanted.to),
+        algorithm: Algorithm::Exact,
+        rules: RapidRules::default(),
+    };
     let request = plan_request(&scene, &query);
     let sent = Instant::now();
     let answer = client.plan_rapid_move(request.clone()).await.map_err(refused)?.into_inner();

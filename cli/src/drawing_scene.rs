@@ -96,7 +96,12 @@ pub(crate) fn choose_roles(file: &DrawingFile, roles: &mut Roles) {
 
 /// The machine's settings, and those of the command line over them.
 fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneOptions, Failure> {
-    let stated = arguments.clearance.or_else(|| machine.and_then(|machine| machine.clearance_mm));
+    let stated = arguments
+        .clearance
+        .iter()
+        .copied()
+        .max_by(f64::total_cmp)
+        .or_else(|| machine.and_then(|machine| machine.clearance_mm));
     let Some(clearance_mm) = stated else {
         return Err(Failure::Input(
             "no clearance is known; pass --clearance MM or state it in the profile".to_owned(),
@@ -108,6 +113,9 @@ fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneOptions,
         options.clearance_mm = clearance_mm;
     }
     choose_roles(&arguments.file, &mut options.roles);
+    for obstacle in &mut options.roles.obstacles {
+        obstacle.top_mm = obstacle.top_mm.or(arguments.top);
+    }
     options.join_tolerance_mm = arguments.file.join;
     options.work_area_clearance_mm = arguments.border_clearance.or(options.work_area_clearance_mm);
     match arguments.corner {

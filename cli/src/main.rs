@@ -1,4 +1,4 @@
-//! `traverse`: rapid moves from drawings, in process or against a server; `traverse serve` starts one.
+//! `traverse`: rapid moves from drawings, orders from matrices, in process or against a server; `traverse serve` starts one.
 
 /// Writes a line to standard output; whoever closed it does not want to know.
 macro_rules! say {
@@ -22,6 +22,7 @@ mod program;
 mod program_table;
 mod rapid;
 mod serve;
+mod solve;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
             Command::Serve(serve) => serve::run(serve).await,
             Command::Rapid(rapid) => rapid::run(rapid).await,
             Command::Inspect(inspect) => inspect::run(&inspect),
+            Command::Solve(solve) => solve::run(&solve),
             Command::Check(check) => check::run(check).await,
             Command::Call(call) => call::run(call).await,
             Command::Demo(demo) => demo::run(demo).await,

@@ -24,6 +24,11 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
             )));
         }
     }
+    if arguments.clearance.len() > 1 {
+        return Err(Failure::Input(
+            "--program takes one clearance; those of tools are the profile's".to_owned(),
+        ));
+    }
     let machine = drawing_scene::machine(&arguments.file)?;
     let (read_options, write_options) = options(arguments, machine.as_ref())?;
     let bytes = input::read(file)?;

@@ -7,7 +7,7 @@ use crate::{drawing_scene, input, planning, program};
 use std::path::Path as FilePath;
 use std::time::Duration;
 use traverse_drawing::{Machine, Shown, picture_of_plan, write_dxf, write_gcode};
-use traverse_geometry::{Path, Scene};
+use traverse_geometry::{HeightRule, Path, RapidRules, Scene};
 use traverse_planner::{Algorithm, RapidMove};
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::{path_from_wire, plan_request, v1};
@@ -28,7 +28,9 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         Method::Exact => Algorithm::Exact,
         Method::SupportingLines => Algorithm::SupportingLines,
     };
-    let mut request = plan_request(&scene, &RapidMove { start: from, target: to, algorithm });
+    let query =
+        RapidMove { start: from, target: to, algorithm, rules: rules(&arguments, scene.clearance_mm) };
+    let mut request = plan_request(&scene, &query);
     if let (Some(limit), Some(rules)) = (arguments.time_limit, &mut request.rules) {
         let time_limit = prost_types::Duration::try_from(limit).ok();
         rules.options = Some(v1::SolveOptions { time_limit, ..Default::default() });
@@ -53,7 +55,24 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         }
         say!("wrote {}", output.display());
     }
-    report(&scene, (to - from).norm(), &answer)
+    report(&scene, &arguments, (to - from).norm(), &answer)
+}
+
+/// The rules that the command line asks for. What is wrong with them the service says.
+fn rules(arguments: &Rapid, clearance_mm: f64) -> RapidRules {
+    let heights = arguments.start_z.map(|start_z_mm| HeightRule {
+        start_z_mm,
+        target_z_mm: arguments.target_z.unwrap_or(start_z_mm),
+        highest_z_mm: arguments.highest_z.unwrap_or(start_z_mm),
+        clearance_z_mm: arguments.clearance_z.unwrap_or(clearance_mm),
+    });
+    let mut clearances_mm = arguments.clearance.clone();
+    clearances_mm.sort_by(|a, b| b.total_cmp(a));
+    clearances_mm.dedup();
+    if clearances_mm.len() < 2 {
+        clearances_mm.clear();
+    }
+    RapidRules { heights, clearances_mm, leave: arguments.leave, enter: arguments.enter }
 }
 
 /// What a file of the command line is to hold, by the ending of its name.
@@ -73,7 +92,8 @@ fn written(
 ) -> Result<String, Failure> {
     let name = output.display();
     if matches!(kind_of(output)?, Output::Drawing) {
-        return write_dxf(path, Some(scene)).map_err(|error| Failure::Input(format!("{name}: {error}")));
+        return write_dxf(&path.in_plane(), Some(scene))
+            .map_err(|error| Failure::Input(format!("{name}: {error}")));
     }
     let Some(settings) = machine.and_then(|machine| machine.gcode.as_ref()) else {
         return Err(Failure::Input(format!(
@@ -126,9 +146,10 @@ pub(crate) fn picture(
         point.as_ref().map_or_else(Default::default, |p| traverse_geometry::Point::new(p.x_mm, p.y_mm))
     };
     Ok(match &answer.outcome {
-        Some(Outcome::Plan(_)) => {
+        Some(Outcome::Plan(plan)) => {
             let path = path_of(answer)?.unwrap_or_else(|| Path::at(point(&request.start)));
-            picture_of_plan(scene, Shown::Path(&path), title)
+            let scene = Scene { clearance_mm: plan.clearance_mm, ..scene.clone() };
+            picture_of_plan(&scene, Shown::Path(&path), title)
         }
         Some(Outcome::NoPath(no_path)) => {
             let shown = Shown::NoPath {
@@ -142,7 +163,12 @@ pub(crate) fn picture(
     })
 }
 
-fn report(scene: &Scene, straight: f64, answer: &v1::PlanRapidMoveResponse) -> Result<(), Failure> {
+fn report(
+    scene: &Scene,
+    arguments: &Rapid,
+    straight: f64,
+    answer: &v1::PlanRapidMoveResponse,
+) -> Result<(), Failure> {
     match &answer.outcome {
         Some(Outcome::Plan(plan)) => {
             let steps = plan.path.as_ref().map_or(0, |path| path.steps.len());
@@ -152,6 +178,16 @@ fn report(scene: &Scene, straight: f64, answer: &v1::PlanRapidMoveResponse) -> R
             let proven = if plan.lower_bound == plan.cost { ", proven shortest" } else { "" };
             say!("lower bound  {:.6} mm{proven}", plan.lower_bound);
             say!("steps        {steps}, of which {arcs} are arcs");
+            let heights = plan
+                .path
+                .iter()
+                .flat_map(|path| path.steps.iter().map(|step| step.z_mm).chain([path.start_z_mm]));
+            if let Some(level) = heights.flatten().max_by(f64::total_cmp) {
+                say!("travels at   z = {level} mm");
+            }
+            if arguments.clearance.len() > 1 {
+                say!("clearance    {} mm", plan.clearance_mm);
+            }
             say!(
                 "goes round   {}",
                 if plan.bending_obstacle_ids.is_empty() {
@@ -169,8 +205,15 @@ fn report(scene: &Scene, straight: f64, answer: &v1::PlanRapidMoveResponse) -> R
             Ok(())
         }
         Some(Outcome::NoPath(no_path)) => Err(Failure::NoPath(format!(
-            "there is no path: start and target are parted by {}",
-            or_none(&no_path.separating_obstacle_ids)
+            "there is no path: start and target are parted by {}; {}",
+            or_none(&no_path.separating_obstacle_ids),
+            match no_path.feasible_clearance_mm {
+                Some(clearance) =>
+                    format!("at a clearance of {clearance:.6} mm, all others lowered as much, there is one"),
+                None if no_path.feasible_clearance_unknown =>
+                    "at which clearance there is one was not known in time".to_owned(),
+                None => "there is none at any clearance".to_owned(),
+            }
         ))),
         None => Err(Failure::Internal("the answer holds neither a plan nor that there is none".to_owned())),
     }

@@ -273,3 +273,80 @@ fn a_program_that_cannot_be_read_ends_with_3() {
     assert_ends(&rewrite("plate-and-vise.ngc", &["-o", &dxf]), 3, "a program is written to .nc");
     assert_ends(&rewrite("plate-and-vise.ngc", &["--to", "1,1"]), 2, "cannot be used with");
 }
+
+/// A wall right across, with a gap, in a work area.
+fn wall(folder: &Path) -> String {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>\
+        <g id='WORK_AREA'><rect x='0' y='0' width='200' height='100'/></g>\
+        <g id='CLAMPS'><rect x='90' y='0' width='20' height='48'/><rect x='90' y='53' width='20' height='47'/></g></svg>";
+    let file = folder.join("wall.svg");
+    std::fs::write(&file, svg).unwrap();
+    file.display().to_string()
+}
+
+#[test]
+fn heights_clearances_and_ways_out_are_planned_drawn_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let wall = wall(folder.path());
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (request, plan, svg) = (at("request.json"), at("plan.json"), at("plan.svg"));
+    let ends = ["rapid", &wall, "--from", "20,20", "--to", "180,20"];
+    let with = |more: &[&str]| traverse(&[&ends[..], more].concat());
+    let files = ["-o", &plan, "-o", &svg, "--request", &request];
+    let check = || assert_ends(&traverse(&["check", &request, &plan]), 0, "sound");
+
+    assert_ends(&with(&["--clearance", "4"]), 4, "at a clearance of 2.5");
+    let narrow = with(&[&["--clearance", "4,2,1"][..], &files].concat());
+    assert_ends(&narrow, 0, "clearance    2 mm");
+    check();
+    let heights =
+        ["--clearance", "4", "--start-z", "1", "--highest-z", "30", "--clearance-z", "2", "--top", "25"];
+    let over = with(&[&heights[..], &files].concat());
+    assert_ends(&over, 0, "travels at   z = 27 mm");
+    assert_ends(&over, 0, "length       212.000000 mm");
+    check();
+    let picture = std::fs::read_to_string(&svg).unwrap();
+    assert!(picture.contains("at z = 27 mm") && picture.contains("obstacle passed"), "{picture}");
+    assert_ends(&with(&["--clearance", "4", "--start-z", "1"]), 2, "--highest-z");
+
+    let leave = ["--from", "88,20", "--to", "20,20", "--clearance", "4", "--leave", "nearest"];
+    let left = traverse(&[&["rapid", &wall][..], &leave, &files].concat());
+    assert_ends(&left, 0, "length       68.000000 mm");
+    check();
+    let leave = ["--from", "88,20", "--to", "20,20", "--clearance", "4", "--leave", "1,0"];
+    assert_ends(&traverse(&[&["rapid", &wall][..], &leave].concat()), 3, "has no way out");
+}
+
+fn matrix(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tours/tests/data").join(name).display().to_string()
+}
+
+#[test]
+fn solve_prints_one_line_with_cost_bound_and_proof() {
+    let output = traverse(&["solve", &matrix("br17.atsp"), "--time-limit", "60s", "--seed", "3", "--tour"]);
+    assert_ends(&output, 0, "");
+    let said = text(&output.stdout);
+    assert_eq!(said.lines().count(), 1, "{said}");
+    let answer: serde_json::Value = serde_json::from_str(&said).unwrap();
+    assert_eq!((answer["cost"].as_i64(), answer["lower_bound"].as_i64()), (Some(39), Some(39)));
+    assert_eq!((answer["proven"].as_bool(), answer["ending"].as_str()), (Some(true), Some("proven_optimal")));
+    assert_eq!(answer["tour"].as_array().map(Vec::len), Some(17));
+}
+
+#[test]
+fn solve_says_which_line_is_wrong_and_proves_that_there_is_no_tour() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, content: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, content).unwrap();
+        path.display().to_string()
+    };
+    let wrong = write("wrong.atsp", "DIMENSION: 0\n");
+    assert_ends(&traverse(&["solve", &wrong]), 3, "line 1: DIMENSION is \"0\"");
+    let head = "TYPE: SOP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n";
+    let circle =
+        write("circle.sop", &format!("{head}EDGE_WEIGHT_SECTION\n0 1 1 1\n1 0 -1 1\n1 -1 0 1\n1 1 1 0\n"));
+    assert_ends(&traverse(&["solve", &circle]), 3, "before itself");
+    let ordered = matrix("br17.12.sop");
+    assert_ends(&traverse(&["solve", &ordered, "--method", "ant-colony"]), 3, "use the ladder");
+}

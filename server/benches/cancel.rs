@@ -109,7 +109,7 @@ fn request(rings: Vec<Vec<f64>>, start: (f64, f64), target: (f64, f64)) -> v1::P
     let obstacles = rings.into_iter().enumerate().map(|(i, xy_mm)| {
         let outer = v1::Ring { xy_mm, bulges: vec![] };
         let shape = v1::Polygon { outer: Some(outer), holes: vec![] };
-        v1::Obstacle { id: format!("o{i}"), shape: Some(shape), clearance_mm: None }
+        v1::Obstacle { id: format!("o{i}"), shape: Some(shape), clearance_mm: None, top_z_mm: None }
     });
     let point = |(x_mm, y_mm): (f64, f64)| Some(v1::Point { x_mm, y_mm });
     v1::PlanRapidMoveRequest {

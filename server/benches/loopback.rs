@@ -89,7 +89,7 @@ fn grid(side: usize) -> v1::PlanRapidMoveRequest {
             corners.iter().flat_map(|&(dx, dy)| [x + f64::from(dx) + (i % 7) as f64, y + f64::from(dy)]);
         let outer = v1::Ring { xy_mm: xy_mm.collect(), bulges: vec![] };
         let shape = v1::Polygon { outer: Some(outer), holes: vec![] };
-        v1::Obstacle { id: format!("o{i}"), shape: Some(shape), clearance_mm: None }
+        v1::Obstacle { id: format!("o{i}"), shape: Some(shape), clearance_mm: None, top_z_mm: None }
     };
     let end = side as f64 * 30.0;
     v1::PlanRapidMoveRequest {

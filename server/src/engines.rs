@@ -1,7 +1,7 @@
 //! What the services call to get answers: the engines, behind a trait so that tests can put one in that waits, counts or
 //! panics.
 
-use traverse_checker::{PathCheck, check_rapid_move_while};
+use traverse_checker::{PathCheck, check_rapid_move_by_while};
 use traverse_geometry::Scene;
 use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
 use traverse_proto::CheckQuestion;
@@ -24,8 +24,9 @@ pub trait Engines: Send + Sync + 'static {
 
     /// Checks one rapid move. None: the budget ended first.
     fn check_rapid_move(&self, question: &CheckQuestion, budget: &Budget) -> Option<PathCheck> {
-        let CheckQuestion { scene, start, target, path, tolerance_mm } = question;
-        check_rapid_move_while(scene, *start, *target, path, *tolerance_mm, &|| budget.check(0).is_ok())
+        let CheckQuestion { scene, rules, start, target, path, tolerance_mm } = question;
+        let go_on = || budget.check(0).is_ok();
+        check_rapid_move_by_while(scene, rules, *start, *target, path, *tolerance_mm, &go_on)
     }
 }
 

@@ -29,5 +29,5 @@ pub fn scene(obstacles: Vec<Obstacle>, clearance_mm: f64) -> Scene {
 
 fn obstacle(id: &str, outer: Ring) -> Obstacle {
     let shape = Polygon { outer: Some(outer), holes: vec![] };
-    Obstacle { id: id.to_owned(), shape: Some(shape), clearance_mm: None }
+    Obstacle { id: id.to_owned(), shape: Some(shape), clearance_mm: None, top_z_mm: None }
 }

@@ -8,6 +8,7 @@ use crate::curve_cuts::{Part, remaining};
 use crate::inside::is_inside;
 use crate::mitre::band_margin;
 use std::collections::BTreeMap;
+use traverse_geometry::Scene;
 
 /// Places along a part inside a solid at which its depth is measured, the middle among them.
 const DEPTH_SAMPLES: u32 = 9;
@@ -27,6 +28,7 @@ pub(crate) struct Approach {
 /// Borders, ready to be asked.
 #[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a> {
+    pub(crate) scene: &'a Scene,
     pub(crate) boundary: &'a Boundary,
     pub(crate) tree: &'a BoundaryTree,
     pub(crate) tolerance: f64,
@@ -52,9 +54,13 @@ impl Surroundings<'_> {
         found
     }
 
-    /// The least margin between `step` and any edge, if it is below `most`. Cost: O(log n + edges nearly as near).
-    pub(crate) fn least_margin(&self, step: &Curve, most: f64) -> Option<f64> {
+    /// The least margin between `step` and any edge of solids that count, if it is below `most`. Cost: O(log n + edges
+    /// nearly as near).
+    pub(crate) fn least_margin(&self, step: &Curve, most: f64, counts: &dyn Fn(u32) -> bool) -> Option<f64> {
         self.tree.least_margin(&StepBox::of(step), most, |edge| {
+            if !counts(self.boundary.solid_of(edge)) {
+                return None;
+            }
             let curve = self.boundary.curve(edge);
             self.margin(step, edge, &curve, nearest(step, &curve)).map(|margin| margin.distance)
         })

@@ -85,7 +85,7 @@ mod tests {
         let shape = Polygon::new(disc(5.0, 2.0), vec![disc(2.0, 3.0)]).expect("the hole is inside");
         let scene = Scene {
             work_area: None,
-            obstacles: vec![Obstacle { id: "a".into(), shape, clearance_mm: None }],
+            obstacles: vec![Obstacle { id: "a".into(), shape, clearance_mm: None, top_z_mm: None }],
             clearance_mm: 0.0,
             work_area_clearance_mm: None,
             corner_style: CornerStyle::Round,

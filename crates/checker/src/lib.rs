@@ -11,7 +11,7 @@
 //! let ring = Ring::new(square.to_vec(), Vec::new()).expect("a square is a ring");
 //! let scene = Scene {
 //!     work_area: None,
-//!     obstacles: vec![Obstacle { id: "plate".into(), shape: Polygon::from_ring(ring), clearance_mm: None }],
+//!     obstacles: vec![Obstacle { id: "plate".into(), shape: Polygon::from_ring(ring), clearance_mm: None, top_z_mm: None }],
 //!     clearance_mm: 2.0,
 //!     work_area_clearance_mm: None,
 //!     corner_style: CornerStyle::Round,
@@ -33,11 +33,14 @@ mod clearance;
 mod contact;
 mod curve;
 mod curve_cuts;
+mod heights;
 mod inside;
+mod leg;
 mod message;
 mod mitre;
 mod path_shape;
 mod rapid_check;
+mod rules_check;
 mod seam;
 mod section;
 mod strip;
@@ -48,4 +51,5 @@ pub use rapid_check::{
     PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
     check_rapid_move_while,
 };
+pub use rules_check::{check_rapid_move_by, check_rapid_move_by_while};
 pub use violation::{Violation, ViolationReason};

@@ -34,6 +34,9 @@ pub(crate) fn not_finite(start: Point, target: Point, path: &Path) -> Vec<Violat
             });
         }
     };
+    if let Some(z) = path.start_z_mm {
+        ask(z, &|| "path.start_z_mm".to_owned());
+    }
     for (name, p) in [("start", start), ("target", target), ("path.start", path.start)] {
         ask(p.x, &|| format!("{name}.x_mm"));
         ask(p.y, &|| format!("{name}.y_mm"));
@@ -41,6 +44,9 @@ pub(crate) fn not_finite(start: Point, target: Point, path: &Path) -> Vec<Violat
     for (index, step) in path.steps.iter().enumerate() {
         ask(step.end.x, &|| format!("path.steps[{index}].end.x_mm"));
         ask(step.end.y, &|| format!("path.steps[{index}].end.y_mm"));
+        if let Some(z) = step.z_mm {
+            ask(z, &|| format!("path.steps[{index}].z_mm"));
+        }
         if let Some(arc) = step.arc {
             ask(arc.center.x, &|| format!("path.steps[{index}].arc.center.x_mm"));
             ask(arc.center.y, &|| format!("path.steps[{index}].arc.center.y_mm"));

@@ -1,10 +1,12 @@
-//! Checks a rapid move: ends, arcs, clearance, and at clearance 0 what touches.
+//! Checks a rapid move: ends, arcs, heights, clearance, ways out of and into barriers, and at clearance 0 what touches.
 
 use crate::boundary::Boundary;
 use crate::boundary_tree::BoundaryTree;
 use crate::clearance::{Surroundings, nearer};
 use crate::curve::Curve;
+use crate::heights::Heights;
 use crate::inside::{is_inside, solids_around};
+use crate::leg::{Leg, legs};
 use crate::message::{millimetres, solid_id, solid_name};
 use crate::path_shape::{curves, not_finite, wrong_ends};
 use crate::seam::seam;
@@ -12,7 +14,7 @@ use crate::strip::Strip;
 use crate::touching::passages;
 use crate::{Violation, ViolationReason};
 use std::collections::BTreeSet;
-use traverse_geometry::{Path, Point, Scene};
+use traverse_geometry::{Path, Point, RapidRules, Scene};
 
 /// Most violations that are listed for one path.
 pub const VIOLATION_LIMIT: usize = 1000;
@@ -29,11 +31,15 @@ const TOUCH_LIMIT: usize = 500_000;
 pub struct PathCheck {
     /// What is wrong, along the path, at most [`VIOLATION_LIMIT`]; empty: the path is sound.
     pub violations: Vec<Violation>,
-    /// The path's length, recomputed, millimetres. 0 when a number of the path is not finite.
+    /// The path's length, vertical moves included, recomputed, millimetres. 0 when a number of the path is not finite.
     pub cost: f64,
     /// Over the whole path: distance to the nearest obstacle or border less the clearance asked for it; inside,
     /// minus the depth less the clearance. None: nothing is in the way, or no step could be measured.
+    /// Negative: too near, or on a way out of or into a barrier that the rules allow. What is passed over counts by
+    /// height above its top less the vertical clearance.
     pub smallest_margin_mm: Option<f64>,
+    /// The scene's clearance that was held against the path, millimetres.
+    pub clearance_mm: f64,
 }
 
 impl PathCheck {
@@ -70,7 +76,7 @@ pub fn check_rapid_move_while(
     go_on: &dyn Fn() -> bool,
 ) -> Option<PathCheck> {
     let checker = RapidMoveChecker::new_while(scene, go_on)?;
-    checker.check_while(start, target, path, tolerance_mm, go_on)
+    checker.check_while(&RapidRules::default(), start, target, path, tolerance_mm, go_on)
 }
 
 /// A scene, made ready to check any number of paths in it.
@@ -98,14 +104,16 @@ impl<'a> RapidMoveChecker<'a> {
     /// Checks one path, as [`check_rapid_move`] does. Cost: O(log n + what it touches) for each step.
     #[must_use]
     pub fn check(&self, start: Point, target: Point, path: &Path, tolerance_mm: f64) -> PathCheck {
-        let check = self.check_while(start, target, path, tolerance_mm, &|| true);
+        let check = self.check_while(&RapidRules::default(), start, target, path, tolerance_mm, &|| true);
         check.expect("invariant: only a no gives up")
     }
 
-    /// As [`RapidMoveChecker::check`], given up when `go_on`, asked at every step, says no.
+    /// As [`RapidMoveChecker::check`], by `rules` at the scene's own clearance, given up when `go_on`, asked at every
+    /// step, says no.
     #[must_use]
     pub fn check_while(
         &self,
+        rules: &RapidRules,
         start: Point,
         target: Point,
         path: &Path,
@@ -113,8 +121,9 @@ impl<'a> RapidMoveChecker<'a> {
         go_on: &dyn Fn() -> bool,
     ) -> Option<PathCheck> {
         let mut violations = not_finite(start, target, path);
+        let clearance_mm = self.scene.clearance_mm;
         if !violations.is_empty() {
-            return Some(PathCheck { violations, cost: 0.0, smallest_margin_mm: None });
+            return Some(PathCheck { violations, cost: 0.0, smallest_margin_mm: None, clearance_mm });
         }
         // Also turns NaN into the least tolerance.
         let tolerance = tolerance_mm.max(SMALLEST_TOLERANCE_MM);
@@ -124,10 +133,19 @@ impl<'a> RapidMoveChecker<'a> {
             steps.push(Some(Curve::straight(path.start, path.start)));
         }
         let cost = length(path);
+        let heights = Heights::new(rules.heights, path, tolerance);
+        heights.violations(|violation| push(&mut violations, violation));
         let mut walk = Walk {
             checker: self,
-            around: Surroundings { boundary: &self.boundary, tree: &self.tree, tolerance, go_on },
+            around: Surroundings {
+                scene: self.scene,
+                boundary: &self.boundary,
+                tree: &self.tree,
+                tolerance,
+                go_on,
+            },
             only_a_point: path.steps.is_empty(),
+            heights: &heights,
             violations,
             smallest: None,
             inside: None,
@@ -136,33 +154,40 @@ impl<'a> RapidMoveChecker<'a> {
             touched: vec![Vec::new(); steps.len()],
             touches: 0,
         };
-        for (index, step) in steps.iter().enumerate() {
+        let legs =
+            legs(walk.around, &heights, rules, &steps, |violation| push(&mut walk.violations, violation));
+        for leg in &legs {
             if !go_on() {
                 return None;
             }
-            match step {
-                Some(step) => walk.step(index, step),
+            match leg.curve {
+                Some(curve) => walk.step(leg, &curve),
                 None => walk.inside = None,
             }
         }
         walk.passages(&steps, go_on);
-        go_on().then_some(PathCheck { violations: walk.violations, cost, smallest_margin_mm: walk.smallest })
+        let smallest_margin_mm = walk.smallest;
+        go_on().then_some(PathCheck { violations: walk.violations, cost, smallest_margin_mm, clearance_mm })
     }
 }
 
 /// The sum of the lengths of all steps, with the radius that each arc's centre gives.
 fn length(path: &Path) -> f64 {
     let mut from = path.start;
+    let mut height = path.start_z_mm;
     path.steps
         .iter()
         .map(|step| {
             let start = std::mem::replace(&mut from, step.end);
-            match step.arc {
-                None => (step.end - start).norm(),
-                Some(arc) => {
-                    arc.sweep.abs() * ((start - arc.center).norm() + (step.end - arc.center).norm()) / 2.0
+            let below = std::mem::replace(&mut height, step.z_mm);
+            let vertical = below.zip(step.z_mm).map_or(0.0, |(from, to)| (to - from).abs());
+            vertical
+                + match step.arc {
+                    None => (step.end - start).norm(),
+                    Some(arc) => {
+                        arc.sweep.abs() * ((start - arc.center).norm() + (step.end - arc.center).norm()) / 2.0
+                    }
                 }
-            }
         })
         .sum()
 }
@@ -172,6 +197,7 @@ struct Walk<'a> {
     checker: &'a RapidMoveChecker<'a>,
     around: Surroundings<'a>,
     only_a_point: bool,
+    heights: &'a Heights,
     violations: Vec<Violation>,
     smallest: Option<f64>,
     /// Solids that hold the end of the last step, as far as it did not touch them; none: nothing is known.
@@ -187,7 +213,8 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn step(&mut self, index: usize, step: &Curve) {
+    fn step(&mut self, leg: &Leg, step: &Curve) {
+        let index = leg.index;
         let mut approaches = self.around.approaches(step);
         let touched: BTreeSet<u32> =
             approaches.iter().filter(|(_, near)| !near.touched.is_empty()).map(|(&solid, _)| solid).collect();
@@ -198,6 +225,15 @@ impl Walk<'_> {
                 .or_insert(crate::clearance::Approach { worst: None, touched: Vec::new() });
         }
         for (solid, approach) in approaches {
+            let obstacle = self.around.boundary.solids[solid as usize].obstacle;
+            let lack = self.heights.lack(self.checker.scene, obstacle, index);
+            if let Some(lack) = lack.filter(|&lack| lack <= self.around.tolerance) {
+                let is_in = self.inside.as_ref().is_some_and(|inside| inside.contains(&solid));
+                let beside = approach.worst.filter(|_| !is_in).map_or(-lack, |worst| worst.distance);
+                let margin = beside.max(-lack);
+                self.smallest = Some(self.smallest.map_or(margin, |least| least.min(margin)));
+                continue;
+            }
             let parts = if touched.contains(&solid) {
                 self.around.parts_inside(step, solid, &approach.touched)
             } else if self.inside.as_ref().is_some_and(|inside| inside.contains(&solid)) {
@@ -208,8 +244,8 @@ impl Walk<'_> {
             let worst = nearer(approach.worst, self.around.deepest(step, solid, &parts));
             if let Some(worst) = worst {
                 self.smallest = Some(self.smallest.map_or(worst.distance, |least| least.min(worst.distance)));
-                if worst.distance < -self.around.tolerance {
-                    self.report_depth(index, solid, worst, !parts.is_empty());
+                if worst.distance < -self.around.tolerance - leg.slack_for(solid) {
+                    self.report_depth(index, solid, worst, lack, !parts.is_empty());
                 }
             }
             if self.around.boundary.solids[solid as usize].clearance == 0.0 && self.touches < TOUCH_LIMIT {
@@ -219,7 +255,11 @@ impl Walk<'_> {
         }
         let most = self.smallest.unwrap_or(f64::INFINITY);
         if most > 0.0
-            && let Some(margin) = self.around.least_margin(step, most)
+            && let Some(margin) = self.around.least_margin(step, most, &|solid| {
+                let obstacle = self.around.boundary.solids[solid as usize].obstacle;
+                let lack = self.heights.lack(self.checker.scene, obstacle, index);
+                lack.is_none_or(|lack| lack > self.around.tolerance)
+            })
         {
             self.smallest = Some(margin);
         }
@@ -249,6 +289,7 @@ impl Walk<'_> {
         index: usize,
         solid: u32,
         worst: crate::arc_distance::Nearest,
+        lack: Option<f64>,
         is_inside: bool,
     ) {
         let about = &self.around.boundary.solids[solid as usize];
@@ -257,7 +298,15 @@ impl Walk<'_> {
         let amount = -worst.distance;
         let (found, asked) = (millimetres(about.clearance + worst.distance), millimetres(about.clearance));
         let depth = millimetres(amount - about.clearance);
+        let too_low = lack.filter(|&lack| lack < amount);
         let (reason, message) = match (is_inside, about.obstacle) {
+            _ if too_low.is_some() => {
+                let lack = millimetres(lack.unwrap_or(0.0));
+                let message = format!(
+                    "{place} passes over {name} {lack} mm too low; asked is its top plus clearance_z_mm"
+                );
+                (ViolationReason::TooLow, message)
+            }
             (true, Some(_)) => {
                 let message =
                     format!("{place} is {depth} mm inside {name}; asked are {asked} mm of clearance");
@@ -279,6 +328,7 @@ impl Walk<'_> {
                 format!("{place} comes within {found} mm of {name}; asked are {asked} mm"),
             ),
         };
+        let amount = too_low.unwrap_or(amount);
         self.pierced.insert((index, solid));
         let obstacle = Some(solid_id(self.checker.scene, about.obstacle).to_owned());
         push(
@@ -294,6 +344,11 @@ impl Walk<'_> {
             return;
         }
         let strip = Strip::along(steps, tolerance);
+        // Parts of one step may touch the same edge.
+        for edges in &mut self.touched {
+            edges.sort_unstable();
+            edges.dedup();
+        }
         let edges: Vec<Vec<u32>> = strip.steps.iter().map(|step| self.touched[step.index].clone()).collect();
         let mut reported = BTreeSet::new();
         let mut found: Vec<_> = passages(boundary, tree, &strip, &edges, go_on)

@@ -46,9 +46,9 @@ macro_rules! reasons {
 }
 
 reasons! {
-    /// The path does not begin at the start that was asked for. Amount: how far from it.
+    /// The path does not begin at the start, or at the height, that was asked for. Amount: how far from it.
     WrongStart = "WRONG_START",
-    /// The path does not end at the target that was asked for. Amount: how far from it.
+    /// The path does not end at the target, or at the height, that was asked for. Amount: how far from it.
     WrongEnd = "WRONG_END",
     /// A number of the path, of an end or the tolerance is not finite, or so large that a distance
     /// overflows. Nothing else is checked. Amount: 0.
@@ -67,6 +67,16 @@ reasons! {
     OutsideWorkArea = "OUTSIDE_WORK_AREA",
     /// At clearance 0: passes between obstacles, or parts of one, that touch. Amount: 0.
     BetweenTouchingObstacles = "BETWEEN_TOUCHING_OBSTACLES",
+    /// Passes over an obstacle lower than its top plus the vertical clearance. Amount: how much too low.
+    TooLow = "TOO_LOW",
+    /// Higher than the tool may go. Amount: how much too high.
+    TooHigh = "TOO_HIGH",
+    /// A height is missing where the rules have heights, or given where they have none. Amount: 0.
+    HeightMismatch = "HEIGHT_MISMATCH",
+    /// A step changes position and height at once. Amount: by how much the height changes.
+    SlantedStep = "SLANTED_STEP",
+    /// The way out of or into a barrier does not run in the direction asked for. Amount: how far off its end lies.
+    WrongDirection = "WRONG_DIRECTION",
 }
 
 impl fmt::Display for ViolationReason {

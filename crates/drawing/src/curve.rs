@@ -39,10 +39,19 @@ impl Curve {
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         let next = self.vertices.iter().cycle().skip(1);
         let starts = self.vertices.iter().zip(&self.bulges);
-        starts
-            .zip(next)
-            .take(self.edge_count())
-            .map(|((&start, &bulge), &end)| Edge::from_bulge(start, end, bulge))
+        starts.zip(next).take(self.edge_count()).map(|((&start, &bulge), &end)| {
+            Edge::from_bulge(start, end, if start == end { 0.0 } else { bulge })
+        })
+    }
+
+    /// Whether it has an edge, and a bulge for each vertex.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.vertices.len() > 1 && self.bulges.len() == self.vertices.len()
+    }
+
+    /// Whether every number of it is finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        self.vertices.iter().flat_map(|p| p.iter()).chain(&self.bulges).all(|number| number.is_finite())
     }
 
     /// Millimetres along the curve.

@@ -1,18 +1,28 @@
 //! What is wrong with a drawing, with the layer and the place.
 
+use crate::Source;
 use std::fmt;
-use traverse_geometry::{Finding, Point};
+use traverse_geometry::{Finding, Point, Reason};
 
 /// One thing that is wrong with a drawing. It says where, so that a picture can mark it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawingFinding {
     /// Layer name.
     pub layer: String,
+    /// Id of the entity that is meant, the first one of several, if the file says one: a handle in DXF.
+    pub entity: Option<String>,
     /// Where to look, millimetres: the crossing of loops that cross, a loose end of an open chain, the meeting point
     /// of a junction, otherwise a vertex of what is meant.
     pub place: Point,
     /// What is wrong.
     pub fault: Fault,
+}
+
+impl DrawingFinding {
+    /// Something wrong with what has that source.
+    pub(crate) fn new(layer: &str, source: &Source, place: Point, fault: Fault) -> Self {
+        Self { layer: layer.to_owned(), entity: source.id.clone(), place, fault }
+    }
 }
 
 /// What is wrong at a place of a drawing.
@@ -40,6 +50,8 @@ pub enum Fault {
         /// Millimetres.
         length_mm: f64,
     },
+    /// A curve with a coordinate or bulge that is no finite number; it is left out. Readers let none through.
+    NotFinite,
     /// A loop that is no valid ring, or does not fit the loop around it; it is left out.
     InvalidLoop {
         /// What geometry says.
@@ -94,10 +106,11 @@ impl fmt::Display for Fault {
             Self::TooShort { length_mm } => {
                 write!(f, "only {length_mm:.6} mm long, less than the joining tolerance; left out, delete it")
             }
-            Self::InvalidLoop { finding } => write!(f, "invalid loop, left out: {}", finding.message),
+            Self::InvalidLoop { finding } => write!(f, "{}; left out", in_the_shop(finding)),
             Self::CrossingLoops { finding } => {
-                write!(f, "lies partly inside another loop; both taken as solid: {}", finding.message)
+                write!(f, "{}; both taken as solid", in_the_shop(finding))
             }
+            Self::NotFinite => f.write_str("a number of it is not finite; left out, draw it again"),
             Self::LoopsCross => f.write_str("two loops cross; both taken as solid, part them or join them"),
             Self::Overlap { length_mm } => write!(
                 f,
@@ -111,8 +124,28 @@ impl fmt::Display for Fault {
     }
 }
 
+/// What geometry says of a loop, without its numbers of edges and holes.
+fn in_the_shop(finding: &Finding) -> &str {
+    match (finding.reason, finding.field.starts_with("holes")) {
+        (Reason::EdgesCross, false) => "the loop crosses itself here: move a corner, or split it",
+        (Reason::EdgesCross, true) => "two loops, one around the other, cross here: part them or join them",
+        (Reason::NoArea, false) => "the loop encloses no area: open it, or delete it",
+        (Reason::NoArea, true) => "the loops inside leave nothing of the loop around them: delete one",
+        (Reason::TooFewVertices, _) => "the loop has too few corners to enclose anything: delete it",
+        (Reason::ArcTooFlat, _) => "an arc of the loop is too flat from here on: draw a line instead",
+        (Reason::HoleOutside, _) => "the loop is not inside the one around it: part them",
+        (Reason::HoleInHole, _) => "loops inside another one overlap here: part them or join them",
+        (Reason::TooMany, _) => "too many edges lie over one another to be checked: split the loop",
+        _ => &finding.message,
+    }
+}
+
 impl fmt::Display for DrawingFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "layer {} at {:.3},{:.3}: {}", self.layer, self.place.x, self.place.y, self.fault)
+        write!(f, "layer {} at {:.3},{:.3} mm", self.layer, self.place.x, self.place.y)?;
+        if let Some(entity) = &self.entity {
+            write!(f, " (entity {entity})")?;
+        }
+        write!(f, ": {}", self.fault)
     }
 }

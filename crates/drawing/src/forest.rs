@@ -50,6 +50,26 @@ impl Forest {
         Self { parents, children, depths }
     }
 
+    /// For each loop the places that it and all inside it take, loops numbered from the outside in: one lies around
+    /// another one, however far out, when its places contain the other's first.
+    pub(crate) fn spans(&self) -> Vec<std::ops::Range<usize>> {
+        let mut spans = vec![0..0; self.parents.len()];
+        let mut order = Vec::with_capacity(spans.len());
+        let mut waiting: Vec<usize> = self.roots().collect();
+        while let Some(each) = waiting.pop() {
+            spans[each] = order.len()..order.len() + 1;
+            order.push(each);
+            waiting.extend(&self.children[each]);
+        }
+        // What is inside was numbered later.
+        for each in order.into_iter().rev() {
+            if let Some(parent) = self.parents[each] {
+                spans[parent].end = spans[parent].end.max(spans[each].end);
+            }
+        }
+        spans
+    }
+
     /// Loops that lie in none.
     pub fn roots(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.parents.len()).filter(|&each| self.parents[each].is_none())
@@ -113,4 +133,27 @@ fn interior_point(pieces: &[Piece]) -> Option<Point> {
     };
     let best = HEIGHTS.into_iter().filter_map(widest_at).max_by(|a, b| a.0.total_cmp(&b.0));
     best.map(|(_, p)| p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Forest;
+
+    #[test]
+    fn spans_tell_what_lies_around_what() {
+        let parents = vec![None, Some(0), Some(1), Some(0), None, Some(4), Some(2)];
+        let children =
+            (0..7).map(|each| (0..7).filter(|&inner| parents[inner] == Some(each)).collect()).collect();
+        let forest = Forest { parents, children, depths: vec![0, 1, 2, 1, 0, 1, 3] };
+        let spans = forest.spans();
+        for outer in 0..7 {
+            for inner in 0..7 {
+                let mut up = Some(inner);
+                while up.is_some_and(|each| each != outer) {
+                    up = up.and_then(|each| forest.parents[each]);
+                }
+                assert_eq!(spans[outer].contains(&spans[inner].start), up.is_some(), "{outer} {inner}");
+            }
+        }
+    }
 }

@@ -50,7 +50,7 @@ impl Loop {
             .iter()
             .zip(&self.bulges)
             .zip(next)
-            .map(|((&a, &bulge), &b)| Edge::from_bulge(a, b, bulge))
+            .map(|((&a, &bulge), &b)| Edge::from_bulge(a, b, if a == b { 0.0 } else { bulge }))
     }
 
     /// Millimetres.
@@ -98,16 +98,26 @@ impl Loop {
 ///
 /// The result does not depend on the order or direction of the curves but for where each loop begins, which way it
 /// runs and in which order the loops come. A curve that is none (fewer than 2 vertices, or not one bulge for each) is
-/// skipped.
+/// skipped, one with a number that is not finite is a finding. A tolerance that is not positive is 0.
 #[must_use]
 pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
     let mut joined = Joined::default();
-    let mut report = |place: Point, fault: Fault| {
-        joined.findings.push(DrawingFinding { layer: layer.to_owned(), place, fault });
+    let mut report = |curve: usize, place: Point, fault: Fault| {
+        joined.findings.push(DrawingFinding::new(layer, &curves[curve].source, place, fault));
     };
+    // Also where it is no number.
+    let tolerance_mm = if tolerance_mm > 0.0 { tolerance_mm } else { 0.0 };
 
-    let sound = |curve: &Curve| curve.vertices.len() > 1 && curve.bulges.len() == curve.vertices.len();
-    let open: Vec<usize> = (0..curves.len()).filter(|&i| sound(&curves[i]) && !curves[i].closed).collect();
+    let mut sound: Vec<usize> = Vec::with_capacity(curves.len());
+    for (i, curve) in curves.iter().enumerate().filter(|(_, curve)| curve.is_whole()) {
+        if curve.is_finite() {
+            sound.push(i);
+        } else {
+            let place = curve.vertices.iter().find(|p| p.iter().all(|number| number.is_finite()));
+            report(i, place.copied().unwrap_or_default(), Fault::NotFinite);
+        }
+    }
+    let (closed, open): (Vec<usize>, Vec<usize>) = sound.iter().partition(|&&i| curves[i].closed);
     let ends: Vec<Point> = open
         .iter()
         .flat_map(|&i| [curves[i].vertices[0], curves[i].vertices[curves[i].vertices.len() - 1]])
@@ -120,19 +130,20 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
         if from != to {
             links.push(chain::Link { curve, from, to });
         } else if curves[curve].length() <= 4.0 * tolerance_mm {
-            report(ends[2 * slot], Fault::TooShort { length_mm: curves[curve].length() });
+            report(curve, ends[2 * slot], Fault::TooShort { length_mm: curves[curve].length() });
         } else {
             loops.extend(chain::closed_by_itself(&curves[curve], curve, snapped.vertices[from]));
         }
     }
     let mut repeated = Vec::new();
     let links = duplicate::without_repeated_links(links, curves, tolerance_mm, &mut |curve| {
-        report(curves[curve].vertices[0], Fault::Duplicate);
+        report(curve, curves[curve].vertices[0], Fault::Duplicate);
         repeated.push(curve);
     });
     let found = chains(&links, snapped.vertices.len());
-    for vertex in found.junctions {
-        report(snapped.vertices[vertex], Fault::Junction { ends: found.ends[vertex] });
+    for (vertex, link) in found.junctions {
+        let fault = Fault::Junction { ends: found.ends[vertex] };
+        report(links[link].curve, snapped.vertices[vertex], fault);
     }
     for chain in &found.chains {
         if chain.closed {
@@ -141,20 +152,14 @@ pub fn join_loops(layer: &str, curves: &[Curve], tolerance_mm: f64) -> Joined {
         }
         joined.open_curves.extend(chain.steps.iter().map(|step| links[step.link].curve));
         if let Some((place, fault)) = open_chain(chain, &links, curves, &snapped.vertices, &found.ends) {
-            report(place, fault);
+            report(links[chain.steps[0].link].curve, place, fault);
         }
     }
-    loops.extend(
-        curves
-            .iter()
-            .enumerate()
-            .filter(|(_, curve)| sound(curve) && curve.closed)
-            .map(|(i, curve)| Loop::of_curve(curve, i)),
-    );
+    loops.extend(closed.into_iter().map(|i| Loop::of_curve(&curves[i], i)));
     joined.open_curves.sort_unstable();
     loops.sort_by_key(|each| each.first_curve);
     joined.loops = duplicate::without_repeated_loops(loops, tolerance_mm, &mut |each| {
-        report(each.vertices[0], Fault::Duplicate);
+        report(each.first_curve, each.vertices[0], Fault::Duplicate);
         repeated.push(each.first_curve);
     });
     repeated.sort_unstable();

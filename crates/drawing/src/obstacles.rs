@@ -1,7 +1,7 @@
 //! Shapes with holes from the loops of one layer and role.
 
 use crate::role_loops::RoleLoops;
-use crate::{DrawingFinding, Fault};
+use crate::{DrawingFinding, Fault, Loop, ObstacleRole};
 use traverse_geometry::{Finding, Obstacle, Point, Polygon, Ring};
 
 /// A polygon, and how far at most it runs from what was drawn.
@@ -10,11 +10,12 @@ pub(crate) struct Shape {
     pub(crate) deviation_mm: f64,
 }
 
-/// An obstacle of that shape. It keeps a clearance of its own where one is asked for, or where it deviates from what
+/// An obstacle of that shape and top. It keeps a clearance of its own where one is asked for, or where it deviates from what
 /// was drawn.
-pub(crate) fn with_clearance(id: String, shape: Shape, own: Option<f64>, clearance_mm: f64) -> Obstacle {
+pub(crate) fn with_clearance(id: String, shape: Shape, role: &ObstacleRole, clearance_mm: f64) -> Obstacle {
+    let clearance_mm = role.clearance_mm.unwrap_or(clearance_mm);
     let widened = (shape.deviation_mm > 0.0).then_some(clearance_mm + shape.deviation_mm);
-    Obstacle { id, shape: shape.polygon, clearance_mm: widened.or(own) }
+    Obstacle { id, shape: shape.polygon, clearance_mm: widened.or(role.clearance_mm), top_z_mm: role.top_mm }
 }
 
 /// The shapes of a layer, outermost loops and islands, in the order in which they were drawn.
@@ -85,38 +86,17 @@ impl RoleLoops<'_> {
         why: Vec<Finding>,
         fault: impl Fn(Finding) -> Fault,
     ) -> Vec<DrawingFinding> {
-        let finding = |finding: Finding| DrawingFinding {
-            layer: self.layer.to_owned(),
-            place: self.place_of(each, holes, &finding),
-            fault: fault(finding),
+        let finding = |finding: Finding| {
+            // Without a place of its own it is meant as a whole.
+            let meant = &self.loops[holes.first().copied().unwrap_or(each)];
+            let place = finding.place.unwrap_or(meant.vertices[0]);
+            self.finding(meant, place, fault(finding))
         };
         why.into_iter().map(finding).collect()
     }
 
-    /// The point that the finding names; otherwise the vertex or the hole that it names by number, otherwise the
-    /// loop's first vertex.
-    fn place_of(&self, each: usize, holes: &[usize], finding: &Finding) -> Point {
-        if let Some(named) = point_in(&finding.message) {
-            return named;
-        }
-        let field = finding.field.as_str();
-        let number = field.rsplit_once('[').and_then(|(_, number)| number.split(']').next()?.parse().ok());
-        let number = number.unwrap_or(0);
-        let hole = field.strip_prefix("holes[").and_then(|_| holes.get(number));
-        let vertices = &self.loops[hole.copied().unwrap_or(each)].vertices;
-        let vertex = match hole {
-            Some(_) => 0,
-            None if field.contains("xy_mm") => number / 2,
-            None => number,
-        };
-        vertices.get(vertex).copied().unwrap_or(vertices[0])
+    /// Something wrong with a loop.
+    pub(crate) fn finding(&self, meant: &Loop, place: Point, fault: Fault) -> DrawingFinding {
+        DrawingFinding::new(self.layer, &self.curves[meant.first_curve].source, place, fault)
     }
-}
-
-/// The first point `(x, y) mm` in a text, as geometry writes where edges cross.
-fn point_in(message: &str) -> Option<Point> {
-    let (before, _) = message.split_once(") mm")?;
-    let (_, pair) = before.rsplit_once('(')?;
-    let (x, y) = pair.split_once(", ")?;
-    Some(Point::new(x.parse().ok()?, y.parse().ok()?))
 }

@@ -5,11 +5,12 @@ use crate::{Curve, DrawingFinding, Fault};
 use std::collections::BTreeMap;
 use traverse_geometry::{Arc, Edge, Point, Segment, cross, positive_angle, unit};
 
-/// Comparisons of boxes at most: bounds the work on hostile drawings.
-const WORK_LIMIT: usize = 50_000_000;
-
 /// What runs along another curve for less than this many joining tolerances only meets it.
 const SHORTEST_OVERLAP: f64 = 10.0;
+
+/// What leans more than this from a line leaves it, from one side to the other, within [`SHORTEST_OVERLAP`]: the sine
+/// of the angle, and some.
+const LARGEST_SINE: f64 = 2.2 / SHORTEST_OVERLAP;
 
 /// A stretch that two edges share.
 struct Shared {
@@ -34,7 +35,7 @@ pub(crate) fn overlaps(
     }
     let boxes: Vec<_> = edges.iter().map(|(_, edge)| edge.bounds().grown(tolerance_mm)).collect();
     let mut found: BTreeMap<(usize, usize), (Shared, f64)> = BTreeMap::new();
-    let complete = meeting_boxes(&boxes, WORK_LIMIT, |a, b| {
+    let complete = meeting_boxes(&boxes, |a, b| {
         let ((one, first), (other, second)) = (&edges[a], &edges[b]);
         if one == other {
             return;
@@ -51,15 +52,14 @@ pub(crate) fn overlaps(
             *longest = shared;
         }
     });
-    let finding = |(longest, length_mm): (Shared, f64)| DrawingFinding {
-        layer: layer.to_owned(),
-        place: longest.middle,
-        fault: Fault::Overlap { length_mm },
+    let finding =
+        |curve: usize, place, fault| DrawingFinding::new(layer, &curves[curve].source, place, fault);
+    let overlap = |((_, second), (longest, length_mm)): ((usize, usize), (Shared, f64))| {
+        finding(second, longest.middle, Fault::Overlap { length_mm })
     };
-    let mut findings: Vec<DrawingFinding> = found.into_values().map(finding).collect();
-    if let Some((_, edge)) = edges.first().filter(|_| !complete) {
-        let (layer, place) = (layer.to_owned(), edge.start());
-        findings.push(DrawingFinding { layer, place, fault: Fault::NotAllCompared });
+    let mut findings: Vec<DrawingFinding> = found.into_iter().map(overlap).collect();
+    if let Some(&(curve, edge)) = edges.first().filter(|_| !complete) {
+        findings.push(finding(curve, edge.start(), Fault::NotAllCompared));
     }
     findings
 }
@@ -74,6 +74,11 @@ fn shared(one: &Edge, other: &Edge, tolerance_mm: f64) -> Option<Shared> {
 }
 
 fn shared_line(one: &Segment, other: &Segment, tolerance_mm: f64) -> Option<Shared> {
+    let (a, b) = (one.vector(), other.vector());
+    let leaning = cross(a, b);
+    if leaning * leaning > LARGEST_SINE * LARGEST_SINE * a.norm_squared() * b.norm_squared() {
+        return None;
+    }
     let length = one.length();
     let along = one.vector() / length;
     let place = |p: Point| ((p - one.start).dot(&along), cross(along, p - one.start));

@@ -16,6 +16,7 @@ mod label;
 mod layer_style;
 mod layers;
 mod legend;
+mod lettering;
 mod markers;
 mod outline;
 mod plan_words;
@@ -27,10 +28,14 @@ mod sign;
 mod square_cut;
 mod style;
 mod text;
+mod text_line;
 
 pub use drawing_picture::picture_of_drawing;
 pub use markers::MARKED_FINDINGS;
 pub use shown::Shown;
+
+pub(crate) use lettering::Lettering;
+pub(crate) use text_line::TextLine;
 
 use frame::Frame;
 use traverse_geometry::Scene;

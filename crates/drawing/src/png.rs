@@ -1,8 +1,12 @@
 //! Pictures as PNG, the same on every machine.
 //!
-//! Text is set in a font that this crate brings along, so that no machine has to have one. Nothing is read from disk.
+//! Letters are those of a font that this crate brings along, so that no machine has to have one. Nothing is read from
+//! disk.
 
-mod fonts;
+mod letters;
+
+#[cfg(test)]
+pub(crate) use letters::width_of;
 
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{ImageHrefResolver, Options, Tree};
@@ -56,9 +60,10 @@ pub enum PngError {
     },
 }
 
-/// Draws an SVG, meant for those of this crate, as a PNG file of that width; its height follows from the proportions.
+/// Draws an SVG as a PNG file of that width; its height follows from the proportions.
 ///
-/// Equal arguments give equal bytes. Characters that the font brought along lacks are drawn as empty boxes.
+/// It is meant for pictures of this crate: text is drawn as they write it, an element to a line; other text is left
+/// out. Equal arguments give equal bytes. Characters that the font brought along lacks are drawn as empty boxes.
 ///
 /// # Errors
 /// When the width is outside its range, the picture would be too large, or the text is no SVG.
@@ -69,7 +74,9 @@ pub fn png_of_svg(svg: &str, width_px: u32) -> Result<Vec<u8>, PngError> {
     if svg.len() > LARGEST_SVG_BYTES {
         return Err(PngError::SvgTooLong { bytes: svg.len() });
     }
-    let tree = Tree::from_str(svg, &options()).map_err(|why| PngError::NotSvg { why: why.to_string() })?;
+    let too_long = PngError::SvgTooLong { bytes: svg.len() };
+    let drawn = letters::with_letters_as_paths(svg, 2 * LARGEST_SVG_BYTES).ok_or(too_long)?;
+    let tree = Tree::from_str(&drawn, &options()).map_err(|why| PngError::NotSvg { why: why.to_string() })?;
     let scale = f64::from(width_px) / f64::from(tree.size().width());
     let height_px = (f64::from(tree.size().height()) * scale).ceil().max(1.0) as u64;
     let too_many = PngError::TooManyPixels { width_px, height_px };
@@ -83,11 +90,9 @@ pub fn png_of_svg(svg: &str, width_px: u32) -> Result<Vec<u8>, PngError> {
     pixels.encode_png().map_err(|why| PngError::NotWritten { why: why.to_string() })
 }
 
-/// Only the fonts brought along; no pictures within the picture, so that no file is read.
-pub(crate) fn options() -> Options<'static> {
+/// No pictures within the picture, so that no file is read.
+fn options() -> Options<'static> {
     Options {
-        font_family: String::from(fonts::FAMILY),
-        fontdb: fonts::fonts(),
         image_href_resolver: ImageHrefResolver {
             resolve_data: Box::new(|_, _, _| None),
             resolve_string: Box::new(|_, _| None),

@@ -1,7 +1,7 @@
 //! A drawing file of any format that is read.
 
 use crate::dxf::read_dxf;
-use crate::sniff::looks_like;
+use crate::sniff::{Looks, looks_like};
 use crate::svg::{is_utf16, read_svg};
 use crate::{Drawing, ReadError, ReadOptions};
 use std::io::Read;
@@ -12,13 +12,13 @@ use std::io::Read;
 /// When the bytes are neither, and as the readers of both.
 pub fn read_drawing(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadError> {
     match looks_like(bytes) {
-        "a DXF drawing" | "a damaged binary DXF file" => read_dxf(bytes, options),
-        "an SVG drawing" | "an XML file" => read_svg(bytes, options),
+        Looks::Dxf | Looks::DamagedBinaryDxf => read_dxf(bytes, options),
+        Looks::Svg | Looks::Xml => read_svg(bytes, options),
         _ if is_utf16(bytes) => read_svg(bytes, options),
         _ if bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii().is_empty() => {
             Err(ReadError::Empty)
         }
-        found => Err(ReadError::NotDrawing { found }),
+        other => Err(ReadError::NotDrawing { found: other.name() }),
     }
 }
 

@@ -96,6 +96,11 @@ impl Roles {
         named.chain(obstacles.map(|(place, each)| (Role::Obstacle, place, &each.selector)))
     }
 
+    /// Whether something on that layer, of which no more is known, may stand for something.
+    pub(crate) fn may_choose_on(&self, layer: &str) -> bool {
+        self.selectors().any(|(_, _, selector)| selector.may_choose_on(layer))
+    }
+
     /// Selectors that were asked for and choose no curve.
     pub(crate) fn unmatched(&self, drawing: &Drawing) -> Vec<Selector> {
         let defaults = Self::default();

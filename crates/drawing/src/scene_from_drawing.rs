@@ -5,7 +5,7 @@ use crate::role_loops::{RoleLoops, loops_by_role};
 use crate::work_area::work_area_of;
 use crate::{
     Drawing, JOIN_TOLERANCE_MM, LayerUse, Part, Role, Roles, SceneError, SceneFromDrawing, SceneReport,
-    Section,
+    Section, Unused,
 };
 use std::collections::BTreeMap;
 use traverse_geometry::{CornerStyle, Scene};
@@ -64,6 +64,7 @@ pub fn scene_from_drawing(drawing: &Drawing, options: &SceneOptions) -> Result<S
         layers: Vec::with_capacity(drawing.layers.len()),
         unmatched_selectors: options.roles.unmatched(drawing),
         findings: Vec::new(),
+        lost: drawing.unused.iter().filter(|unused| may_be_missed(unused, &options.roles)).cloned().collect(),
         unused: drawing.unused.clone(),
         widest_deviation_mm: 0.0,
     };
@@ -88,14 +89,8 @@ pub fn scene_from_drawing(drawing: &Drawing, options: &SceneOptions) -> Result<S
         match group.chosen.role {
             Role::Obstacle => {
                 let role = &options.roles.obstacles[group.chosen.place];
-                let clearance_mm = role.clearance_mm.unwrap_or(options.clearance_mm);
                 obstacles.extend(shapes_of(&group, &mut report.findings).into_iter().map(|shape| {
-                    with_clearance(
-                        number(Role::Obstacle, group.layer),
-                        shape,
-                        role.clearance_mm,
-                        clearance_mm,
-                    )
+                    with_clearance(number(Role::Obstacle, group.layer), shape, role, options.clearance_mm)
                 }));
             }
             Role::Part => {
@@ -130,6 +125,11 @@ pub fn scene_from_drawing(drawing: &Drawing, options: &SceneOptions) -> Result<S
         corner_style: options.corner_style,
     };
     Ok(SceneFromDrawing { scene, parts, sections: sections.into_values().collect(), report })
+}
+
+/// Whether a machine could meet it where something was chosen. What lies on an unknown layer may be anywhere.
+fn may_be_missed(unused: &Unused, roles: &Roles) -> bool {
+    unused.why.loses_something() && (unused.layer.is_empty() || roles.may_choose_on(&unused.layer))
 }
 
 impl RoleLoops<'_> {

@@ -32,6 +32,9 @@ pub struct SceneReport {
     pub findings: Vec<DrawingFinding>,
     /// Entities that could not be read, on any layer.
     pub unused: Vec<Unused>,
+    /// Those among them that a machine could meet and that may be meant: on chosen layers, and on any layer where
+    /// something is chosen by id, group or colour.
+    pub lost: Vec<Unused>,
     /// How far at most arcs and segments run from the ellipses and splines that they stand for, millimetres: 0 when
     /// there are none. Clearances of what deviates are larger by as much.
     pub widest_deviation_mm: f64,
@@ -56,12 +59,11 @@ pub struct LayerUse {
 }
 
 impl SceneReport {
-    /// Whether everything on the chosen layers is in the scene: no curve that could not be closed, no entity but
-    /// annotation that could not be read on any layer, no selector that fits nothing. Otherwise a path may run through
-    /// something that was drawn.
+    /// Whether everything on the chosen layers is in the scene: no curve that could not be closed, no entity
+    /// [`lost`](Self::lost), no selector that fits nothing. Otherwise a path may run through something that was drawn.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        !self.unused.iter().any(|unused| unused.why.loses_something())
+        self.lost.is_empty()
             && self.unmatched_selectors.is_empty()
             && !self.findings.iter().any(|finding| finding.fault.loses_something())
     }
@@ -93,7 +95,8 @@ impl fmt::Display for SceneReport {
             writeln!(f, "and {} findings more", self.findings.len() - LISTED_FINDINGS)?;
         }
         for unused in &self.unused {
-            writeln!(f, "not used: {unused}")?;
+            let lost = if self.lost.contains(unused) { " though it may be in the way" } else { "" };
+            writeln!(f, "not used{lost}: {unused}")?;
         }
         Ok(())
     }

@@ -69,6 +69,11 @@ impl Selector {
         self.name_chosen(layer, source).is_some()
     }
 
+    /// Whether something on that layer, of which no more is known, may be meant.
+    pub(crate) fn may_choose_on(&self, layer: &str) -> bool {
+        self.by != By::Layer || self.pattern.fits(layer)
+    }
+
     /// The name by which the curve is meant.
     pub(crate) fn name_chosen(&self, layer: &str, source: &Source) -> Option<String> {
         let fits = |name: &&String| self.pattern.fits(name);

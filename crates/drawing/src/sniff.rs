@@ -3,8 +3,47 @@
 /// So many bytes at the start are looked at.
 const SNIFFED_BYTES: usize = 1024;
 
-/// What a file looks like that is none of those that a reader was asked for.
-pub(crate) fn looks_like(bytes: &[u8]) -> &'static str {
+/// What a file looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Looks {
+    /// ASCII or binary.
+    Dxf,
+    DamagedBinaryDxf,
+    Svg,
+    /// Of an unknown kind.
+    Xml,
+    WebPage,
+    /// In words.
+    Other(&'static str),
+}
+
+/// First bytes, in lower case, by which files are known that have no reader here.
+const MARKS: [(&[u8], &str); 7] = [
+    (b"ac10", "a DWG drawing"),
+    (b"autocad dxb", "a DXB drawing"),
+    (b"%pdf", "a PDF file"),
+    (b"%!ps", "a PostScript file"),
+    (b"\x1f\x8b", "a compressed archive"),
+    (b"pk\x03\x04", "a compressed archive"),
+    (b"\x89png", "a picture (PNG)"),
+];
+
+impl Looks {
+    /// For messages.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Dxf => "a DXF drawing",
+            Self::DamagedBinaryDxf => "a damaged binary DXF file",
+            Self::Svg => "an SVG drawing",
+            Self::Xml => "an XML file",
+            Self::WebPage => "a web page (HTML)",
+            Self::Other(name) => name,
+        }
+    }
+}
+
+/// What a file looks like.
+pub(crate) fn looks_like(bytes: &[u8]) -> Looks {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
     let start = text[..text.len().min(SNIFFED_BYTES)].to_ascii_lowercase();
     let place =
@@ -12,31 +51,23 @@ pub(crate) fn looks_like(bytes: &[u8]) -> &'static str {
     let (html, svg) =
         (place(b"<html").min(place(b"<!doctype html")), place(b"<svg").min(place(b"<!doctype svg")));
     if html < svg {
-        "a web page (HTML)"
+        Looks::WebPage
     } else if svg < html {
-        "an SVG drawing"
+        Looks::Svg
     } else if start.starts_with(b"<") {
-        "an XML file"
-    } else if start.starts_with(b"ac10") {
-        "a DWG drawing"
+        Looks::Xml
     } else if bytes.starts_with(b"AutoCAD Binary DXF\r\n\x1a\0") {
-        "a DXF drawing"
+        Looks::Dxf
     } else if start.starts_with(b"autocad binary dxf") {
-        "a damaged binary DXF file"
-    } else if start.starts_with(b"autocad dxb") {
-        "a DXB drawing"
-    } else if start.starts_with(b"%pdf") {
-        "a PDF file"
-    } else if start.starts_with(b"%!ps") {
-        "a PostScript file"
-    } else if start.starts_with(b"\x1f\x8b") || start.starts_with(b"pk\x03\x04") {
-        "a compressed archive"
+        Looks::DamagedBinaryDxf
+    } else if let Some((_, name)) = MARKS.iter().find(|(mark, _)| start.starts_with(mark)) {
+        Looks::Other(name)
     } else if begins_with_group_code(text) {
-        "a DXF drawing"
+        Looks::Dxf
     } else if start.iter().any(|&b| b == 0 || b >= 0xf8) {
-        "binary data"
+        Looks::Other("binary data")
     } else {
-        "some other text"
+        Looks::Other("some other text")
     }
 }
 

@@ -22,6 +22,7 @@ mod reader;
 mod shapes;
 mod style;
 mod style_sheet;
+mod transform;
 mod unused_count;
 mod viewport;
 mod walk;

@@ -72,7 +72,35 @@ impl fmt::Display for WhyUnused {
 
 impl fmt::Display for Unused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} × {} on layer {}: {}", self.count, self.entity, self.layer, self.why)
+        write!(f, "{} × {} on layer {}: {}", self.count, self.entity, self.layer, self.why)?;
+        match self.what_to_do() {
+            Some(advice) => write!(f, "; {advice}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Unused {
+    /// What to do where a machine could meet it.
+    fn what_to_do(&self) -> Option<&'static str> {
+        match self.why {
+            WhyUnused::Type if self.entity == "HATCH" => Some(
+                "draw its border as a closed polyline on its layer, and tie the hatch to it or delete it",
+            ),
+            WhyUnused::Type => Some("explode it to lines, arcs and polylines"),
+            WhyUnused::Extrusion | WhyUnused::Body => Some("draw its outline in the plane from above"),
+            WhyUnused::Picture => Some("draw over what matters of it, and take it out"),
+            WhyUnused::UnknownBlock => Some("bind what it refers to into the file, or explode it"),
+            WhyUnused::Inconsistent => Some("draw it again"),
+            WhyUnused::Reference => Some("draw what is meant here"),
+            WhyUnused::PaperSpace
+            | WhyUnused::NoLength
+            | WhyUnused::Annotation
+            | WhyUnused::Filling
+            | WhyUnused::Hidden
+            | WhyUnused::Clipped
+            | WhyUnused::Selector => None,
+        }
     }
 }
 

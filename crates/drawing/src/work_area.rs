@@ -43,9 +43,8 @@ pub(crate) fn work_area_of(
     findings.extend(on_layers);
     for (island, &depth) in layer.forest.depths.iter().enumerate() {
         if depth == 2 {
-            let place = layer.loops[island].vertices[0];
-            let layer = layer.layer.to_owned();
-            findings.push(DrawingFinding { layer, place, fault: Fault::IslandInWorkArea });
+            let island = &layer.loops[island];
+            findings.push(layer.finding(island, island.vertices[0], Fault::IslandInWorkArea));
         }
     }
     let deviation_mm = layer.loops.iter().map(|each| each.deviation_mm).fold(0.0, f64::max);

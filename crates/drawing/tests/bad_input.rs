@@ -208,3 +208,23 @@ fn damaged_files_do_no_harm() {
     }
     assert!(survived > 100, "{survived}");
 }
+
+#[test]
+fn what_is_not_read_stops_only_where_something_is_chosen() {
+    let drawn = "0\nCIRCLE\n8\nPINS\n10\n0\n20\n0\n40\n5\n0\nHATCH\n8\nNOTES\n0\nTEXT\n8\nPINS\n1\nhello\n0\nMLINE\n8\nNOTES\n";
+    let drawing = read(with_entities(drawn).as_bytes()).unwrap();
+    let report = |obstacles: &str| {
+        let mut options = SceneOptions::new(1.0);
+        options.roles.obstacles = vec![traverse_drawing::ObstacleRole::new(obstacles)];
+        scene_from_drawing(&drawing, &options).unwrap().report
+    };
+    let pins = report("PINS");
+    assert!(
+        pins.is_complete() && pins.unused.len() == 3 && pins.to_string().contains("1 × HATCH on layer NOTES")
+    );
+    for chosen in ["*", "NOTES", "id:*", "color:white"] {
+        let report = report(chosen);
+        assert!(!report.is_complete() && report.lost.len() == 2, "{report}");
+        assert!(report.to_string().contains("not used though it may be in the way: 1 × HATCH"), "{report}");
+    }
+}

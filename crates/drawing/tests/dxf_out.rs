@@ -34,7 +34,8 @@ fn scene() -> Scene {
         |low: f64, high: f64| Ring::from_xy(&[low, low, high, low, high, high, low, high], &[]).unwrap();
     let disc = Ring::from_xy(&[40.1, 50.0, 60.3, 50.0], &[1.0, 1.0]).unwrap();
     let with_hole = Polygon::new(square(70.0, 95.0), vec![square(75.0, 90.0)]).unwrap();
-    let obstacle = |id: &str, shape| Obstacle { id: id.to_owned(), shape, clearance_mm: None };
+    let obstacle =
+        |id: &str, shape| Obstacle { id: id.to_owned(), shape, clearance_mm: None, top_z_mm: None };
     Scene {
         work_area: Some(Polygon::from_ring(square(0.0, 100.0))),
         obstacles: vec![obstacle("disc", Polygon::from_ring(disc)), obstacle("frame", with_hole)],

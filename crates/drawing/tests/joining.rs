@@ -5,7 +5,10 @@
 mod random;
 
 use random::Random;
-use traverse_drawing::{Curve, Fault, JOIN_TOLERANCE_MM, Loop, join_loops};
+use traverse_drawing::{
+    Curve, Drawing, Fault, Forest, JOIN_TOLERANCE_MM, Layer, LengthUnit, Loop, Roles, SceneOptions,
+    inspect_drawing, join_loops, picture_of_drawing, scene_from_drawing,
+};
 use traverse_geometry::Point;
 
 fn open(points: &[(f64, f64, f64)]) -> Curve {
@@ -146,4 +149,46 @@ fn a_tail_on_a_loop_is_reported_and_the_loop_kept() {
     ];
     let joined = join_loops("A", &curves, JOIN_TOLERANCE_MM);
     assert_eq!((joined.loops.len(), joined.findings.len()), (1, 2));
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_findings() {
+    let ring = |bad: f64, place: usize| {
+        let mut numbers = [0.0, 0.0, 10.0, 0.0, 10.0, 10.0, 0.5];
+        numbers[place] = bad;
+        let [a, b, c, d, e, f, bulge] = numbers;
+        let vertices = vec![Point::new(a, b), Point::new(c, d), Point::new(e, f)];
+        Curve::new(vertices, vec![bulge, 0.0, 0.0], place.is_multiple_of(2))
+    };
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for place in 0..7 {
+            let curves = [ring(1.0, 6), ring(bad, place)];
+            for tolerance in [0.01, 0.0, -1.0, f64::NAN] {
+                let joined = join_loops("A", &curves, tolerance);
+                assert_eq!((joined.loops.len(), joined.findings.len()), (1, 1), "{bad} {place}");
+                assert_eq!(joined.findings[0].fault, Fault::NotFinite);
+                assert!(joined.findings[0].place.x.is_finite() && joined.findings[0].place.y.is_finite());
+            }
+            let layer = Layer { name: "A".to_owned(), curves: curves.to_vec() };
+            let drawing = Drawing {
+                unit: LengthUnit::MILLIMETRES,
+                unit_assumed: false,
+                layers: vec![layer],
+                unused: Vec::new(),
+                mapping: None,
+            };
+            let seen = inspect_drawing(&drawing, &Roles::default(), f64::NAN);
+            assert!(seen.findings.iter().any(|finding| finding.fault == Fault::NotFinite));
+            let made = scene_from_drawing(&drawing, &SceneOptions::new(1.0)).unwrap();
+            assert!(made.scene.obstacles.len() == 1 && !made.report.is_complete());
+            assert!(picture_of_drawing(&drawing, &seen.findings, "").starts_with("<svg"));
+            let loops = curves.map(|curve| Loop {
+                vertices: curve.vertices,
+                bulges: curve.bulges,
+                first_curve: 0,
+                deviation_mm: 0.0,
+            });
+            assert_eq!(Forest::of(&loops).parents.len(), 2);
+        }
+    }
 }

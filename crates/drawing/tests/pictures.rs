@@ -55,7 +55,7 @@ fn mitred_corners_are_cut_square_at_the_limit() {
     let shape = Polygon::from_ring(Ring::new(needle, Vec::new()).unwrap());
     let mut scene = Scene {
         work_area: None,
-        obstacles: vec![Obstacle { id: String::from("NEEDLE"), shape, clearance_mm: None }],
+        obstacles: vec![Obstacle { id: String::from("NEEDLE"), shape, clearance_mm: None, top_z_mm: None }],
         clearance_mm: 10.0,
         work_area_clearance_mm: None,
         corner_style: CornerStyle::Miter { limit: Some(2.0) },
@@ -92,6 +92,7 @@ fn every_obstacle_is_there_and_text_is_escaped() {
         id: (*id).to_owned(),
         shape: Polygon::from_ring(ring(5.0 * f64::from(i))),
         clearance_mm: (i == 2).then_some(0.5),
+        top_z_mm: None,
     });
     let scene = Scene {
         work_area: None,
@@ -124,7 +125,12 @@ fn generated_scenes_give_pictures() {
             let vertices = vertices.map(|(x, y)| Point::new(corner.x + x, corner.y + y)).to_vec();
             let bulges = vec![random.share(), 0.0, random.share(), 0.0];
             let shape = Polygon::from_ring(Ring::new(vertices, bulges).unwrap());
-            obstacles.push(Obstacle { id: format!("OBSTACLE/{i}"), shape, clearance_mm: None });
+            obstacles.push(Obstacle {
+                id: format!("OBSTACLE/{i}"),
+                shape,
+                clearance_mm: None,
+                top_z_mm: None,
+            });
         }
         let scene = Scene {
             work_area: None,

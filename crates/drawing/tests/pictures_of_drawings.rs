@@ -127,7 +127,7 @@ fn markers_cover_no_place_of_a_finding_and_no_other_marker() {
                     1 => Fault::Junction { ends: 3 },
                     _ => Fault::OpenChain { other_end, gap_mm, length_mm: 1.0 },
                 };
-                DrawingFinding { layer: String::from("L"), place, fault }
+                DrawingFinding { layer: String::from("L"), entity: None, place, fault }
             })
             .collect();
         let svg = picture_of_drawing(&drawing(vec![("L", vec![square(0.0, 0.0, 1000.0)])]), &found, "");
@@ -174,8 +174,8 @@ fn bundled_drawings_and_degenerate_ones_give_pictures() {
     let nowhere = Point::new(f64::NAN, f64::INFINITY);
     let fault = Fault::OpenChain { other_end: nowhere, gap_mm: f64::NAN, length_mm: 0.0 };
     let found = [
-        DrawingFinding { layer: String::new(), place: nowhere, fault: fault.clone() },
-        DrawingFinding { layer: String::from("<&>"), place: Point::new(1.0, 1.0), fault },
+        DrawingFinding { layer: String::new(), entity: None, place: nowhere, fault: fault.clone() },
+        DrawingFinding { layer: String::from("<&>"), entity: None, place: Point::new(1.0, 1.0), fault },
     ];
     let odd = vec![
         Curve::new(vec![nowhere, nowhere], vec![0.0; 2], true),

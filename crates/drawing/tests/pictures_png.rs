@@ -25,7 +25,7 @@ fn text_is_drawn() {
     let ink = |text: &str| {
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"30\">\
-             <text x=\"5\" y=\"20\" style=\"font-family:Helvetica,sans-serif;font-size:20px\">{text}</text></svg>"
+\n<text class=\"\" x=\"5.0\" y=\"20.0\">{text}</text>\n</svg>"
         );
         let pixels = Pixmap::decode_png(&png_of_svg(&svg, 200).unwrap()).unwrap();
         pixels.pixels().iter().filter(|pixel| pixel.alpha() > 100).count()

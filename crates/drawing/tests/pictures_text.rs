@@ -44,7 +44,7 @@ fn scene(boxes: &[(f64, f64, f64, f64)], id: &str, scale: f64, offset: f64) -> S
         let vertices = [(left, bottom), (right, bottom), (right, top), (left, top)];
         let vertices = vertices.map(|(x, y)| Point::new(x, y)).to_vec();
         let shape = Polygon::from_ring(Ring::new(vertices, vec![]).unwrap());
-        Obstacle { id: format!("{id}/{i}"), shape, clearance_mm: None }
+        Obstacle { id: format!("{id}/{i}"), shape, clearance_mm: None, top_z_mm: None }
     };
     Scene {
         work_area: None,

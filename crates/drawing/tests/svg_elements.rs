@@ -84,6 +84,31 @@ fn shapes_have_their_length_and_area() {
 }
 
 #[test]
+fn transforms_of_styles_turn_about_their_origin() {
+    for (said, as_attribute) in [
+        ("style='transform:translate(3px, 4px)'", "translate(3 4)"),
+        ("style='transform: rotate(90deg); transform-origin: 10px 20px'", "rotate(90 10 20)"),
+        ("transform='rotate(90)' transform-origin='10 20'", "rotate(90 10 20)"),
+        ("transform='scale(9)' style='transform:scale(2)'", "scale(2)"),
+        ("transform='scale(9)' style='transform:none;transform-origin:5px 5px'", "scale(1)"),
+        (
+            "style='transform:rotate(30deg) scale(2);transform-origin:center'",
+            "translate(50 50) rotate(30) scale(2) translate(-50 -50)",
+        ),
+        ("style='transform:rotate(30deg);transform-origin:bottom left'", "rotate(30 0 100)"),
+        (
+            "style='transform:rotate(30deg);transform-origin:25% 5px;transform-box:view-box'",
+            "rotate(30 25 5)",
+        ),
+    ] {
+        let line = |how: &str| only(&format!("<line x1='1' y1='2' x2='7' y2='9' {how}/>")).vertices;
+        for (p, q) in line(said).into_iter().zip(line(&format!("transform='{as_attribute}'"))) {
+            assert!((p - q).norm() < 1e-9, "{said}: {p} {q}");
+        }
+    }
+}
+
+#[test]
 fn circles_stay_circles_under_similar_maps() {
     for transform in [
         "translate(3 4)",

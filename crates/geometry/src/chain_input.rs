@@ -131,7 +131,7 @@ impl ChainInput {
             }
             let radius = chord * (1.0 + bulge * bulge) / (4.0 * bulge);
             if radius > RADIUS_LIMIT_MM {
-                let (number, value) = (self.number(i), self.bulges[i]);
+                let (number, value, start) = (self.number(i), self.bulges[i], self.vertices[i]);
                 self.findings.push(|| {
                     Finding::new(
                         format!("bulges[{number}]"),
@@ -142,6 +142,7 @@ impl ChainInput {
                              {RADIUS_LIMIT_MM:e} mm; send 0 for a straight edge"
                         ),
                     )
+                    .at(start)
                 });
             }
         }

@@ -1,5 +1,6 @@
 //! What is wrong with a value: every finding names field, reason, value, and what to do.
 
+use crate::Point;
 use std::fmt;
 
 /// One thing that is wrong with the input.
@@ -13,6 +14,8 @@ pub struct Finding {
     pub message: String,
     /// The value that is wrong, as text; empty when it is missing.
     pub value: String,
+    /// Where in the plane it is wrong, if that can be said.
+    pub place: Option<Point>,
 }
 
 impl Finding {
@@ -24,7 +27,14 @@ impl Finding {
         value: impl ToString,
         message: impl Into<String>,
     ) -> Self {
-        Self { field: field.into(), reason, message: message.into(), value: value.to_string() }
+        Self { field: field.into(), reason, message: message.into(), value: value.to_string(), place: None }
+    }
+
+    /// The same finding, at that place.
+    #[must_use]
+    pub fn at(mut self, place: Point) -> Self {
+        self.place = Some(place);
+        self
     }
 
     /// The same finding, seen from the message that holds the value as `parent`.

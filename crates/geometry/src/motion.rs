@@ -187,8 +187,13 @@ impl Path {
             arc: step
                 .arc
                 .map(|arc| PathArc { center: motion.point(arc.center), sweep: motion.turn(arc.sweep) }),
+            z_mm: step.z_mm,
         };
-        Self { start: motion.point(self.start), steps: self.steps.iter().map(step).collect() }
+        Self {
+            start: motion.point(self.start),
+            start_z_mm: self.start_z_mm,
+            steps: self.steps.iter().map(step).collect(),
+        }
     }
 }
 

@@ -90,7 +90,7 @@ fn report_crossings(
                 at.x, at.y
             );
             let value = format!("edge {edge} and edge {of_other} of {other}");
-            Finding::new(format!("holes[{hole}]"), Reason::EdgesCross, value, message)
+            Finding::new(format!("holes[{hole}]"), Reason::EdgesCross, value, message).at(at)
         });
     }
     if crossings.list_full {
@@ -120,7 +120,7 @@ fn holes_outside(
                      a polygon of its own",
                     at.x, at.y
                 );
-                Finding::new(format!("holes[{number}]"), Reason::HoleOutside, number, message)
+                Finding::new(format!("holes[{number}]"), Reason::HoleOutside, number, message).at(at)
             });
         }
     }
@@ -171,7 +171,7 @@ fn holes_in_holes(
                 "holes[{inner}] lies inside holes[{outer}]; leave it out, or send what stands inside holes[{outer}] as a \
                  polygon of its own"
             );
-            Finding::new(format!("holes[{inner}]"), Reason::HoleInHole, outer, message)
+            Finding::new(format!("holes[{inner}]"), Reason::HoleInHole, outer, message).at(holes[inner].vertices()[0])
         });
     }
     (!spent && !work.is_spent()).then_some(())

@@ -85,7 +85,8 @@ fn report(crossings: &Crossings, input: &mut ChainInput) {
              split the ring there",
             crossing.at.x, crossing.at.y
         );
-        findings.push(Finding::new("xy_mm", Reason::EdgesCross, format!("edges {a} and {b}"), message));
+        let crossing_edges = format!("edges {a} and {b}");
+        findings.push(Finding::new("xy_mm", Reason::EdgesCross, crossing_edges, message).at(crossing.at));
     }
     if crossings.list_full {
         let message =

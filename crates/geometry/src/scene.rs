@@ -27,6 +27,8 @@ pub struct Obstacle {
     pub shape: Polygon,
     /// Overrides the scene's clearance, millimetres.
     pub clearance_mm: Option<f64>,
+    /// Height of its top, millimetres; it reaches down without end. Absent: it can't be passed over.
+    pub top_z_mm: Option<f64>,
 }
 
 /// How a barrier (the obstacle grown by the clearance) turns a convex corner.

@@ -1,10 +1,13 @@
 //! What is wrong with a scene beyond its shapes, which are valid by construction.
 
-use crate::{CornerStyle, Finding, LARGEST_CLEARANCE_MM, Reason, SMALLEST_CLEARANCE_MM, Scene, WORK_AREA_ID};
+use crate::{
+    COORDINATE_LIMIT_MM, CornerStyle, Finding, LARGEST_CLEARANCE_MM, Reason, SMALLEST_CLEARANCE_MM, Scene,
+    WORK_AREA_ID,
+};
 use std::collections::HashMap;
 
 impl Scene {
-    /// Everything that is wrong with ids, clearances and the miter limit, in the order of the fields; none for a
+    /// Everything that is wrong with ids, clearances, tops and the miter limit, in the order of the fields; none for a
     /// scene that engines take. Fields are relative to the scene's message: `obstacles[3].id`,
     /// `obstacles[2].clearance_mm`, `clearance_mm`, `work_area_clearance_mm`, `miter_limit`. Cost: linear.
     #[must_use]
@@ -19,6 +22,8 @@ impl Scene {
             ));
             let field = format!("obstacles[{number}].clearance_mm");
             findings.extend(obstacle.clearance_mm.and_then(|clearance| clearance_finding(field, clearance)));
+            let field = format!("obstacles[{number}].top_z_mm");
+            findings.extend(obstacle.top_z_mm.and_then(|top| height_finding(field, top)));
         }
         findings.extend(clearance_finding("clearance_mm".to_owned(), self.clearance_mm));
         findings.extend(
@@ -50,7 +55,20 @@ fn id_finding(number: usize, id: &str, first_use: usize) -> Option<Finding> {
     }
 }
 
-fn clearance_finding(field: String, clearance: f64) -> Option<Finding> {
+pub(crate) fn height_finding(field: String, z_mm: f64) -> Option<Finding> {
+    let value = format!("{z_mm:?}");
+    if !z_mm.is_finite() {
+        let message = format!("{field} is {value}; send a finite number of millimetres");
+        Some(Finding::new(field, Reason::NotFinite, value, message))
+    } else if z_mm.abs() > COORDINATE_LIMIT_MM {
+        let message = format!("{field} is {value} mm; send a height within ±{COORDINATE_LIMIT_MM:?} mm");
+        Some(Finding::new(field, Reason::CoordinateTooLarge, value, message))
+    } else {
+        None
+    }
+}
+
+pub(crate) fn clearance_finding(field: String, clearance: f64) -> Option<Finding> {
     let value = format!("{clearance:?}");
     if !clearance.is_finite() {
         let message = format!("{field} is {value}; send a finite number of millimetres, 0 for none");
@@ -89,6 +107,7 @@ mod tests {
             id: id.to_owned(),
             shape: Polygon::from_ring(square()),
             clearance_mm: None,
+            top_z_mm: None,
         };
         Scene {
             work_area: None,
@@ -126,6 +145,7 @@ mod tests {
         scene.obstacles[1].clearance_mm = Some(-1.0);
         scene.obstacles.push(scene.obstacles[2].clone());
         scene.obstacles[3].clearance_mm = Some(f64::INFINITY);
+        scene.obstacles[3].top_z_mm = Some(f64::NAN);
         scene.clearance_mm = f64::NAN;
         scene.work_area_clearance_mm = Some(1e6);
         scene.corner_style = CornerStyle::Miter { limit: Some(0.5) };
@@ -137,6 +157,7 @@ mod tests {
                 ("obstacles[1].clearance_mm", Reason::OutOfRange, "-1.0"),
                 ("obstacles[3].id", Reason::DuplicateId, "c"),
                 ("obstacles[3].clearance_mm", Reason::NotFinite, "inf"),
+                ("obstacles[3].top_z_mm", Reason::NotFinite, "NaN"),
                 ("clearance_mm", Reason::NotFinite, "NaN"),
                 ("work_area_clearance_mm", Reason::OutOfRange, "1000000.0"),
                 ("miter_limit", Reason::OutOfRange, "0.5"),

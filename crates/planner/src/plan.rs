@@ -1,6 +1,6 @@
 //! The question and the answer of a rapid move.
 
-use traverse_geometry::{Path, Point};
+use traverse_geometry::{Path, Point, RapidRules};
 use traverse_solve::Interrupt;
 
 /// One rapid move to plan.
@@ -12,6 +12,8 @@ pub struct RapidMove {
     pub target: Point,
     /// By which method.
     pub algorithm: Algorithm,
+    /// What it may do. Must have no findings.
+    pub rules: RapidRules,
 }
 
 /// How a rapid move is planned.
@@ -38,11 +40,11 @@ pub enum Answer {
 pub struct RapidPlan {
     /// The way.
     pub path: Path,
-    /// Its length, millimetres.
+    /// Its length, vertical moves included, millimetres.
     pub cost: f64,
-    /// No collision-free path costs less. Equal to `cost` when proven.
+    /// No collision-free path of horizontal and vertical moves that follows the rules costs less. Equal to `cost` when proven.
     pub lower_bound: f64,
-    /// The clearance that was used, millimetres.
+    /// The scene's clearance that was used, millimetres: of the rules' clearances the first that admits a path.
     pub clearance_mm: f64,
     /// Ids of the obstacles that bend the path, in path order; `work_area` where its border does.
     pub bending_obstacles: Vec<String>,
@@ -55,6 +57,20 @@ pub struct RapidPlan {
 pub struct NoPath {
     /// Ids of obstacles whose barriers, with the work area's border, part start from target: none can be left out.
     pub separating_obstacles: Vec<String>,
+    /// What would have to be given up.
+    pub feasible_clearance: FeasibleClearance,
+}
+
+/// The most that all clearances may keep if each is lowered by the same amount, not below 0, until a path appears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FeasibleClearance {
+    /// The scene's clearance then, millimetres: at this one there is a path, at one that is larger by a contact
+    /// tolerance there is none.
+    Millimetres(f64),
+    /// There is no path even at 0.
+    None,
+    /// The budget ended before it was known.
+    Unknown,
 }
 
 /// What planning took.
@@ -81,6 +97,18 @@ pub enum Refusal {
         /// How far inside, millimetres.
         depth_mm: f64,
     },
+    /// Start or target lies inside a barrier, and no straight way that the rules allow leads out.
+    #[error(
+        "{field} lies in the barrier of {obstacle} and has no way out: {why}; move it or lower the clearance"
+    )]
+    EndShutIn {
+        /// `start` or `target`.
+        field: &'static str,
+        /// The obstacle's id, or `work_area`.
+        obstacle: String,
+        /// Why there is no way.
+        why: &'static str,
+    },
     /// The published scan does not cover the request.
     #[error("the published supporting-line scan does not cover this request: {why}; use the exact algorithm")]
     PublishedMethodNotApplicable {
@@ -95,4 +123,11 @@ pub enum Refusal {
         /// What is known: no path costs less.
         lower_bound: f64,
     },
+}
+
+impl Refusal {
+    /// Whether a smaller clearance may help.
+    pub(crate) fn is_about_an_end(&self) -> bool {
+        matches!(self, Self::EndInsideBarrier { .. } | Self::EndShutIn { .. })
+    }
 }

@@ -1,64 +1,149 @@
-//! The shortest rapid move, exactly: from a scene and two ends to a plan, or the proof that there is none.
+//! The shortest rapid move, exactly: from a scene, two ends and rules to a plan, or the proof that there is none.
 //!
-//! Cost: a search among the barriers that it meets; building the obstruction of the whole scene is n log n.
+//! Clearances are tried in turn; at each the ends' ways out of the barriers are found, then the best level, and at each
+//! level that matters the shortest path in the plane.
+//!
+//! Cost: a search among the barriers that it meets for each clearance and level; building the obstruction of the whole
+//! scene is n log n, once for each clearance.
 
+use crate::at_clearance::{AtClearance, Outcome};
 use crate::barriers::Barriers;
-use crate::search::{End, Known, Route, Search};
-use crate::separating::separating;
-use crate::standing::stand;
+use crate::feasible::feasible_clearance;
+use crate::lowered::with_clearance;
+use crate::shortest_route::{MeetingBarriers, ShortestRoute};
 use crate::supporting_lines::Scan;
-use crate::trace::trace;
-use crate::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, Stats};
-use std::collections::BTreeSet;
-use traverse_geometry::{Path, Scene};
+use crate::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
+use traverse_geometry::{EndRule, Path, Scene};
 use traverse_solve::{Budget, Interrupt, Observer};
 
-/// Plans one rapid move in a valid scene.
+/// Plans one rapid move in a valid scene, by rules without findings.
 ///
 /// # Errors
-/// See [`Refusal`]; every end that lies inside a barrier is named, one refusal each.
+/// See [`Refusal`]; every end that lies inside a barrier is named, one refusal each. With several clearances the ends are
+/// those of the smallest.
 pub fn plan_rapid_move(
     scene: &Scene,
     query: &RapidMove,
     budget: &Budget,
     observer: &mut dyn Observer,
 ) -> Result<(Answer, Stats), Vec<Refusal>> {
-    let interrupted =
-        |lower_bound: f64| move |interrupt: Interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
-    let straight = (query.target - query.start).norm();
+    let mut stats = Stats::default();
+    let Some((&smallest, larger)) = query.rules.clearances_mm.split_last() else {
+        let answer = plan_in(scene, query, true, budget, &mut stats, observer)?;
+        return Ok((answer, stats));
+    };
+    for &clearance in larger {
+        let scene = with_clearance(scene, clearance);
+        match plan_in(&scene, query, false, budget, &mut stats, observer) {
+            Ok(Answer::NoPath(_)) => {}
+            Err(refusals) if refusals.iter().all(Refusal::is_about_an_end) => {}
+            Ok(answer) => return Ok((answer, stats)),
+            Err(refusals) => return Err(refusals),
+        }
+    }
+    let scene = with_clearance(scene, smallest);
+    let answer = plan_in(&scene, query, true, budget, &mut stats, observer)?;
+    Ok((answer, stats))
+}
+
+/// Plans at the scene's own clearance. `is_last`: no smaller one is tried after it.
+fn plan_in(
+    scene: &Scene,
+    query: &RapidMove,
+    is_last: bool,
+    budget: &Budget,
+    stats: &mut Stats,
+    observer: &mut dyn Observer,
+) -> Result<Answer, Vec<Refusal>> {
+    let barriers = Barriers::new(scene, budget)
+        .map_err(|interrupt| vec![Refusal::Interrupted { interrupt, lower_bound: least_cost(query) }])?;
+    let asked = Asked { barriers: &barriers, query, is_last, budget };
+    let answer = plan_among(asked, &mut MeetingBarriers, stats, observer)?;
+    Ok(with_feasible_clearance(answer, scene, query, is_last, budget, stats))
+}
+
+/// What is to be planned among barriers that were taken apart.
+#[derive(Clone, Copy)]
+pub(crate) struct Asked<'a> {
+    pub(crate) barriers: &'a Barriers<'a>,
+    pub(crate) query: &'a RapidMove,
+    /// No smaller clearance is tried after this one.
+    pub(crate) is_last: bool,
+    pub(crate) budget: &'a Budget,
+}
+
+/// Plans at the scene's own clearance; says nothing of other clearances.
+///
+/// # Errors
+/// As [`plan_rapid_move`].
+pub(crate) fn plan_among(
+    Asked { barriers, query, is_last, budget }: Asked<'_>,
+    shortest: &mut dyn ShortestRoute,
+    stats: &mut Stats,
+    observer: &mut dyn Observer,
+) -> Result<Answer, Vec<Refusal>> {
+    let least = least_cost(query);
+    let interrupted = |bound: f64| {
+        // A smaller clearance may have a shorter path.
+        let lower_bound = if is_last { bound } else { least };
+        move |interrupt: Interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }]
+    };
     let scan = match query.algorithm {
         Algorithm::Exact => None,
         Algorithm::SupportingLines => {
-            Some(Scan::of(scene, query.start, query.target).map_err(|refusal| vec![refusal])?)
+            Some(published_scan(barriers.scene, query).map_err(|refusal| vec![refusal])?)
         }
     };
-    let barriers = Barriers::new(scene, budget).map_err(interrupted(straight))?;
-    let start = stand(&barriers, "start", query.start, budget).map_err(interrupted(straight))?;
-    let target = stand(&barriers, "target", query.target, budget).map_err(interrupted(straight))?;
-    let (start, target) = both(start, target)?;
-    let mut solver =
-        Solver { barriers: &barriers, budget, observer, stats: Stats::default(), lower_bound: straight };
-    let solved = solver.solve(&start, &target).map_err(interrupted(solver.lower_bound))?;
-    let stats = solver.stats;
-    let (path, bending_obstacles) = match solved {
-        Solved::Path(path, bending) => (path, bending),
-        Solved::Parted(separating_obstacles) => {
-            return Ok((Answer::NoPath(NoPath { separating_obstacles }), stats));
+    let mut solver = AtClearance::new(barriers, query, budget, shortest);
+    let outcome = solver.solve(is_last, stats, observer);
+    let bound = solver.lower_bound();
+    let exact = match outcome.map_err(interrupted(bound))? {
+        Outcome::Plan(plan) => plan,
+        Outcome::Refused(refusals) => return Err(refusals),
+        Outcome::Parted(separating_obstacles) => {
+            let feasible_clearance = FeasibleClearance::Unknown;
+            return Ok(Answer::NoPath(NoPath { separating_obstacles, feasible_clearance }));
         }
     };
-    let cost = path.length();
-    let exact = RapidPlan {
-        path,
-        cost,
-        lower_bound: cost,
-        clearance_mm: scene.clearance_mm,
-        bending_obstacles,
-        alternatives: Vec::new(),
-    };
-    let Some(scan) = scan else { return Ok((Answer::Plan(exact), stats)) };
+    let Some(scan) = scan else { return Ok(Answer::Plan(exact)) };
     let see_each_other = exact.path.steps.len() <= 1;
-    let candidates = scan.candidates(see_each_other, budget).map_err(interrupted(cost))?;
-    Ok((Answer::Plan(published(candidates, exact)?), stats))
+    let candidates = scan.candidates(see_each_other, budget).map_err(interrupted(exact.cost))?;
+    Ok(Answer::Plan(published(candidates, exact)?))
+}
+
+/// The answer; where there is no path, with the clearance at which there is one.
+pub(crate) fn with_feasible_clearance(
+    answer: Answer,
+    scene: &Scene,
+    query: &RapidMove,
+    is_last: bool,
+    budget: &Budget,
+    stats: &mut Stats,
+) -> Answer {
+    match answer {
+        Answer::NoPath(no_path) if is_last => {
+            let feasible_clearance = feasible_clearance(scene, query, budget, stats);
+            Answer::NoPath(NoPath { feasible_clearance, ..no_path })
+        }
+        answer => answer,
+    }
+}
+
+/// No path costs less, whatever is in the way.
+pub(crate) fn least_cost(query: &RapidMove) -> f64 {
+    let rise = query.rules.heights.map_or(0.0, |rule| (rule.target_z_mm - rule.start_z_mm).abs());
+    (query.target - query.start).norm() + rise
+}
+
+fn published_scan(scene: &Scene, query: &RapidMove) -> Result<Scan, Refusal> {
+    let not_applicable = |why| Err(Refusal::PublishedMethodNotApplicable { why });
+    if query.rules.heights.is_some() {
+        return not_applicable("it knows no heights");
+    }
+    if query.rules.leave != EndRule::Refuse || query.rules.enter != EndRule::Refuse {
+        return not_applicable("it knows no rule for ends inside a barrier");
+    }
+    Scan::of(scene, query.start, query.target)
 }
 
 /// The published plan: its best candidate, bounded by the exact optimum.
@@ -71,75 +156,4 @@ fn published(candidates: Vec<Path>, exact: RapidPlan) -> Result<RapidPlan, Vec<R
     // Both are sums of the same lengths when the scan finds the optimum; rounding must not set them apart.
     let lower_bound = if cost <= exact.cost * (1.0 + 1e-12) { cost } else { exact.cost };
     Ok(RapidPlan { path, cost, lower_bound, alternatives: candidates, ..exact })
-}
-
-fn both(
-    start: Result<End, Vec<Refusal>>,
-    target: Result<End, Vec<Refusal>>,
-) -> Result<(End, End), Vec<Refusal>> {
-    match (start, target) {
-        (Ok(start), Ok(target)) => Ok((start, target)),
-        (start, target) => Err([start.err(), target.err()].into_iter().flatten().flatten().collect()),
-    }
-}
-
-/// What the search came to.
-enum Solved {
-    /// A path, and what bends it.
-    Path(Path, Vec<String>),
-    /// None, because of these.
-    Parted(Vec<String>),
-}
-
-struct Solver<'a> {
-    barriers: &'a Barriers<'a>,
-    budget: &'a Budget,
-    observer: &'a mut dyn Observer,
-    stats: Stats,
-    lower_bound: f64,
-}
-
-impl Solver<'_> {
-    fn solve(&mut self, start: &End, target: &End) -> Result<Solved, Interrupt> {
-        if start.point == target.point {
-            return Ok(Solved::Path(Path::at(start.point), Vec::new()));
-        }
-        for end in [start, target] {
-            if end.places.is_empty() {
-                return Ok(Solved::Parted(self.named(end.shut_in_by.iter().copied())));
-            }
-        }
-        let mut search = Search::new(Known::new(self.barriers, &BTreeSet::new()), start, target);
-        let found = search.run(self.budget, &mut self.stats.expanded_nodes, self.observer);
-        if search.lower_bound > self.lower_bound {
-            self.lower_bound = search.lower_bound;
-            self.observer.better_bound(self.lower_bound);
-        }
-        self.stats.barrier_vertices = search.known.features.len() as u64;
-        let Some(route) = found? else {
-            let parting = search.known.met().collect();
-            let parting = separating(self.barriers, parting, start, target, self.budget, &mut self.stats)?;
-            return Ok(Solved::Parted(self.named(parting)));
-        };
-        self.observer.better_cost(route.cost);
-        let path = trace(&route, &search.known.features, start.point, target.point);
-        Ok(Solved::Path(path, self.bending(&route, &search.known)))
-    }
-
-    /// Ids of obstacles; the work area's border is taken for granted.
-    fn named(&self, owners: impl IntoIterator<Item = usize>) -> Vec<String> {
-        let is_obstacle = |owner: &usize| *owner < self.barriers.scene.obstacles.len();
-        owners.into_iter().filter(is_obstacle).map(|owner| self.id(owner)).collect()
-    }
-
-    fn bending(&self, route: &Route, known: &Known<'_>) -> Vec<String> {
-        let mut ids: Vec<String> =
-            route.stops.iter().map(|stop| self.id(known.features[stop.feature].owner)).collect();
-        ids.dedup();
-        ids
-    }
-
-    fn id(&self, owner: usize) -> String {
-        self.barriers.id(owner).to_owned()
-    }
 }

@@ -1,13 +1,13 @@
 //! Where start and target stand: outside every barrier, or how far inside which.
 
-use crate::Refusal;
 use crate::barrier::{Blocker, miter_gauge};
 use crate::barriers::Barriers;
 use crate::search::End;
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Polygon, Segment, left_of, positive_angle, unit,
+    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, Point, Segment, left_of, positive_angle, unit,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -17,44 +17,51 @@ const SHORT_EDGE: f64 = 10.0;
 /// Sine of half the opening below which a wedge is too narrow to stand in: 0.01 degrees.
 const NARROW_WEDGE: f64 = 1e-4;
 
-/// The end at `point` as the search sees it.
+/// Every barrier that `point` lies inside of: owner and depth, millimetres. `left_out` is taken for not there.
 ///
 /// # Errors
-/// The budget ended; within, every barrier that it lies inside of. Cost: linear.
-pub(crate) fn stand(
+/// The budget ended. Cost: linear.
+pub(crate) fn depths(
     barriers: &Barriers<'_>,
-    field: &'static str,
+    left_out: &BTreeSet<usize>,
     point: Point,
     budget: &Budget,
-) -> Result<Result<End, Vec<Refusal>>, Interrupt> {
-    let mut refusals = Vec::new();
-    for owner in 0..barriers.owner_count() {
+) -> Result<Vec<(usize, f64)>, Interrupt> {
+    let mut found = Vec::new();
+    for owner in barriers.owners_at(point).into_iter().filter(|owner| !left_out.contains(owner)) {
         budget.check(0)?;
-        if let Some(depth_mm) = depth(barriers, owner, point) {
-            let obstacle = barriers.id(owner).to_owned();
-            refusals.push(Refusal::EndInsideBarrier { field, obstacle, depth_mm });
-        }
+        found.extend(depth(barriers, owner, point).map(|depth| (owner, depth)));
     }
-    if !refusals.is_empty() {
-        return Ok(Err(refusals));
-    }
-    let places = places(barriers, point, budget)?;
+    Ok(found)
+}
+
+/// An end at `point`, which lies inside no barrier, as the search sees it.
+///
+/// # Errors
+/// The budget ended. Cost: linear.
+pub(crate) fn stand(
+    barriers: &Barriers<'_>,
+    left_out: &BTreeSet<usize>,
+    point: Point,
+    budget: &Budget,
+) -> Result<End, Interrupt> {
+    let places = places(barriers, left_out, point, budget)?;
     let mut shut_in_by = Vec::new();
     if places.is_empty() {
-        shut_in_by.extend(near(barriers, point).iter().map(|blocker| blocker.owner));
+        shut_in_by.extend(near(barriers, left_out, point).iter().map(|blocker| blocker.owner));
         shut_in_by.sort_unstable();
         shut_in_by.dedup();
     }
-    Ok(Ok(End { point, places, shut_in_by }))
+    Ok(End { point, places, shut_in_by })
 }
 
 /// How far `point` lies inside the owner's barrier, if by more than half a contact tolerance.
-fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
+pub(crate) fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
     let clearance = barriers.clearance(owner);
-    let shape = shape(barriers, owner)?;
+    let shape = barriers.shape(owner)?;
     let reach = clearance.asked + CONTACT_TOLERANCE_MM;
     let mitred = matches!(clearance.style, CornerStyle::Miter { .. }) && clearance.asked > 0.0;
-    let is_obstacle = owner < barriers.scene.obstacles.len();
+    let is_obstacle = barriers.obstacle(owner).is_some();
     if is_obstacle && !mitred && !shape.bounds().grown(reach).contains(point) {
         return None;
     }
@@ -82,20 +89,18 @@ fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Option<f64> {
     (depth > CONTACT_TOLERANCE_MM / 2.0).then_some(depth)
 }
 
-fn shape<'a>(barriers: &Barriers<'a>, owner: usize) -> Option<&'a Polygon> {
-    match barriers.scene.obstacles.get(owner) {
-        Some(obstacle) => Some(&obstacle.shape),
-        None => barriers.scene.work_area.as_ref(),
-    }
-}
-
 /// The point itself; on the border of what is planned at one contact tolerance, the places that far out from it, in
 /// every wedge between neighbouring edges that meet there: in its corner, or, where it is no corner, off either edge.
-fn places(barriers: &Barriers<'_>, point: Point, budget: &Budget) -> Result<Vec<Point>, Interrupt> {
-    if is_clear(barriers, point) {
+fn places(
+    barriers: &Barriers<'_>,
+    left_out: &BTreeSet<usize>,
+    point: Point,
+    budget: &Budget,
+) -> Result<Vec<Point>, Interrupt> {
+    if is_clear(barriers, left_out, point) {
         return Ok(vec![point]);
     }
-    let rays = border_rays(barriers, point);
+    let rays = border_rays(barriers, left_out, point);
     let mut places: Vec<Point> = Vec::new();
     for (i, &ray) in rays.iter().enumerate() {
         let next = rays[(i + 1) % rays.len()];
@@ -110,7 +115,7 @@ fn places(barriers: &Barriers<'_>, point: Point, budget: &Budget) -> Result<Vec<
         };
         for offset in offsets {
             let place = point + offset * CONTACT_TOLERANCE_MM;
-            if is_clear(barriers, place) && is_beside(barriers, point, place, budget)? {
+            if is_clear(barriers, left_out, place) && is_beside(barriers, left_out, point, place, budget)? {
                 places.push(place);
             }
         }
@@ -119,9 +124,9 @@ fn places(barriers: &Barriers<'_>, point: Point, budget: &Budget) -> Result<Vec<
 }
 
 /// Directions, ascending, in which edges run off from `point`, radians.
-fn border_rays(barriers: &Barriers<'_>, point: Point) -> Vec<f64> {
+fn border_rays(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Vec<f64> {
     let mut rays: Vec<f64> = Vec::new();
-    for blocker in near(barriers, point) {
+    for blocker in near(barriers, left_out, point) {
         let edge = blocker.edge;
         for (end, sense) in [(edge.start(), -1.0), (edge.end(), 1.0)] {
             let away = end - point;
@@ -140,18 +145,23 @@ fn border_rays(barriers: &Barriers<'_>, point: Point) -> Vec<f64> {
 }
 
 /// Blockers that `point` lies nearer to than a contact tolerance and that are planned at it.
-fn near(barriers: &Barriers<'_>, point: Point) -> Vec<Blocker> {
+fn near(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Vec<Blocker> {
     let here = Segment::new(point, point);
     let touches = |blocker: &&Blocker| {
-        blocker.limit <= CONTACT_TOLERANCE_MM && blocker.edge.distance_to_point(point) < CONTACT_TOLERANCE_MM
+        blocker.limit <= CONTACT_TOLERANCE_MM
+            && !left_out.contains(&blocker.owner)
+            && blocker.edge.distance_to_point(point) < CONTACT_TOLERANCE_MM
     };
-    barriers.whole.near(&here).filter(touches).copied().collect()
+    barriers.near(&here).filter(touches).copied().collect()
 }
 
 /// Whether a planned path may pass `place`.
-fn is_clear(barriers: &Barriers<'_>, place: Point) -> bool {
+fn is_clear(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, place: Point) -> bool {
     let mut clear = true;
-    barriers.whole.blocking(&Segment::new(place, place), |_| {
+    barriers.blocking(&Segment::new(place, place), |blocker| {
+        if left_out.contains(&blocker.owner) {
+            return ControlFlow::Continue(());
+        }
         clear = false;
         ControlFlow::Break(())
     });
@@ -162,20 +172,22 @@ fn is_clear(barriers: &Barriers<'_>, place: Point) -> bool {
 /// what meets in `point` itself.
 fn is_beside(
     barriers: &Barriers<'_>,
+    left_out: &BTreeSet<usize>,
     point: Point,
     place: Point,
     budget: &Budget,
 ) -> Result<bool, Interrupt> {
     let line = Segment::new(point, place);
     let between = Edge::Segment(line);
-    let parted = barriers.whole.near(&line).any(|blocker| {
-        blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
+    let parted = barriers.near(&line).any(|blocker| {
+        !left_out.contains(&blocker.owner)
+            && blocker.edge.distance_to_point(point) >= CONTACT_TOLERANCE_MM
             && blocker.edge.distance(&between) == 0.0
     });
     if parted {
         return Ok(false);
     }
-    for owner in 0..barriers.owner_count() {
+    for owner in barriers.owners_at(place).into_iter().filter(|owner| !left_out.contains(owner)) {
         budget.check(0)?;
         if depth(barriers, owner, place).is_some() {
             return Ok(false);

@@ -1,6 +1,5 @@
 //! From a route of the search to moves: the planned ones, which are tested, and the answered ones.
 
-use crate::barrier::Feature;
 use crate::search::Route;
 use traverse_geometry::{Path, Point};
 
@@ -8,10 +7,10 @@ use traverse_geometry::{Path, Point};
 const SHORTEST_ARC_MM: f64 = 1e-9;
 
 /// The path that a route answers with. Costs the route's cost, but for rounding.
-pub(crate) fn trace(route: &Route, features: &[Feature], start: Point, target: Point) -> Path {
+pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {
     let mut path = Path::at(start);
     for stop in &route.stops {
-        let feature = &features[stop.feature];
+        let feature = &stop.circle;
         if feature.price_radius == 0.0 {
             path.line_to(feature.center);
             continue;

@@ -220,6 +220,7 @@ fn ids_of_what_bends_the_path_are_in_its_order() {
         id: "far".into(),
         shape: rectangle(90.0, 90.0, 91.0, 91.0),
         clearance_mm: None,
+        top_z_mm: None,
     });
     assert_eq!(plan(&stair, point(-10.0, 0.0), point(60.0, 40.0)).bending_obstacles, ["o0", "o1"]);
     assert_eq!(plan(&stair, point(60.0, 40.0), point(-10.0, 0.0)).bending_obstacles, ["o1", "o0"]);

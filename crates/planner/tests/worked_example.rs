@@ -5,7 +5,7 @@
 mod support;
 
 use support::{assert_sound, plan, point, polygon, rectangle, scene};
-use traverse_geometry::{CornerStyle, Path, Point, Polygon, Scene};
+use traverse_geometry::{CornerStyle, Path, Point, Polygon, RapidRules, Scene};
 use traverse_planner::{Algorithm, Answer, RapidMove, RapidPlan, Refusal, plan_rapid_move};
 use traverse_solve::{Budget, Silent};
 
@@ -23,7 +23,8 @@ fn published_part() -> Polygon {
 }
 
 fn scan(scene: &Scene, start: Point, target: Point) -> Result<RapidPlan, Vec<Refusal>> {
-    let query = RapidMove { start, target, algorithm: Algorithm::SupportingLines };
+    let query =
+        RapidMove { start, target, algorithm: Algorithm::SupportingLines, rules: RapidRules::default() };
     match plan_rapid_move(scene, &query, &Budget::unlimited(), &mut Silent)? {
         (Answer::Plan(plan), _) => Ok(plan),
         (Answer::NoPath(_), _) => panic!("one obstacle parts nothing"),

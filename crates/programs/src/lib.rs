@@ -12,7 +12,7 @@
 //! let clamp = Ring::from_xy(&[40.0, -10.0, 60.0, -10.0, 60.0, 30.0, 40.0, 30.0], &[])?;
 //! let scene = Scene {
 //!     work_area: None,
-//!     obstacles: vec![Obstacle { id: "clamp".into(), shape: Polygon::from_ring(clamp), clearance_mm: None }],
+//!     obstacles: vec![Obstacle { id: "clamp".into(), shape: Polygon::from_ring(clamp), clearance_mm: None, top_z_mm: None }],
 //!     clearance_mm: 5.0,
 //!     work_area_clearance_mm: None,
 //!     corner_style: CornerStyle::Miter { limit: None },

@@ -5,7 +5,7 @@ use crate::grid::{Counts, Grid};
 use crate::reason::Reason;
 use std::f64::consts::{PI, TAU};
 use traverse_drawing::{ArcMotion, GcodeDialect, SMALLEST_CHORD_TOLERANCE_MM, chords_outside};
-use traverse_geometry::{Arc, Path, PathArc, PathStep, Point, cross};
+use traverse_geometry::{Arc, Path, PathArc, Point, cross};
 
 /// Longer arcs are split in two: near a full turn rounding decides between all and nothing.
 const LONGEST_SWEEP: f64 = 1.5 * PI;
@@ -139,11 +139,10 @@ impl Writer {
         let end = self.rounding.counts(arc.end)?;
         if let Some((turn, circle, off_mm)) = self.spoken(arc, end) {
             self.push(end, Some(turn));
-            let step = PathStep { end: grid.point(end), arc: Some(circle) };
             let radius = (self.rounded.path.end() - circle.center).norm();
             self.rounded.fed_mm += radius * circle.sweep.abs();
             self.rounded.off_mm = self.rounded.off_mm.max(off_mm);
-            self.rounded.path.steps.push(step);
+            self.rounded.path.arc_to(grid.point(end), circle.center, circle.sweep);
             return Ok(());
         }
         let mut path = Path::at(arc.start);

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::rc::Rc;
 use traverse_checker::RapidMoveChecker;
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point, Scene, unit};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point, RapidRules, Scene, unit};
 use traverse_planner::{Algorithm, Answer, RapidMove, Refusal, plan_rapid_move};
 use traverse_solve::{Budget, Silent};
 
@@ -89,7 +89,8 @@ impl<'a> ScenePlanner<'a> {
     }
 
     fn plan(&self, scene: &Scene, from: Point, to: Point) -> Result<Path, Stop> {
-        let query = RapidMove { start: from, target: to, algorithm: Algorithm::Exact };
+        let (algorithm, rules) = (Algorithm::Exact, RapidRules::default());
+        let query = RapidMove { start: from, target: to, algorithm, rules };
         match plan_rapid_move(scene, &query, self.budget, &mut Silent).map_err(Stop::Refused)? {
             (Answer::Plan(plan), _) => Ok(plan.path),
             (Answer::NoPath(no_path), _) => Err(Stop::NoPath(no_path.separating_obstacles)),
@@ -192,6 +193,7 @@ fn too_deep(refusal: &Refusal, reserve_mm: f64) -> Option<Reason> {
                 depth_mm,
             })
         }
+        Refusal::EndShutIn { .. } => Some(Reason::Refused(refusal.to_string())),
         Refusal::Interrupted { .. } => Some(Reason::Interrupted),
         Refusal::PublishedMethodNotApplicable { why } => Some(Reason::Refused((*why).to_owned())),
     }

@@ -188,11 +188,21 @@ fn scene(style: CornerStyle) -> Scene {
         .enumerate()
         .map(|(index, (left, bottom, right, top))| {
             let ring = Ring::from_xy(&[left, bottom, right, bottom, right, top, left, top], &[]).unwrap();
-            Obstacle { id: format!("box/{index}"), shape: Polygon::from_ring(ring), clearance_mm: None }
+            Obstacle {
+                id: format!("box/{index}"),
+                shape: Polygon::from_ring(ring),
+                clearance_mm: None,
+                top_z_mm: None,
+            }
         })
         .collect();
     let disc = Ring::from_xy(&[-18.0, -50.0, -2.0, -50.0], &[1.0, 1.0]).unwrap();
-    obstacles.push(Obstacle { id: "disc".into(), shape: Polygon::from_ring(disc), clearance_mm: Some(2.5) });
+    obstacles.push(Obstacle {
+        id: "disc".into(),
+        shape: Polygon::from_ring(disc),
+        clearance_mm: Some(2.5),
+        top_z_mm: None,
+    });
     Scene { work_area: None, obstacles, clearance_mm: 4.0, work_area_clearance_mm: None, corner_style: style }
 }
 

@@ -23,7 +23,12 @@ fn pins(count: u32) -> ToolScenes {
     let obstacles = (0..count).map(|index| {
         let x = 20.0 + 40.0 * f64::from(index);
         let ring = Ring::from_xy(&[x - 5.0, 100.0, x + 5.0, 100.0], &[1.0, 1.0]).unwrap();
-        Obstacle { id: format!("pin/{index}"), shape: Polygon::from_ring(ring), clearance_mm: None }
+        Obstacle {
+            id: format!("pin/{index}"),
+            shape: Polygon::from_ring(ring),
+            clearance_mm: None,
+            top_z_mm: None,
+        }
     });
     let any = Scene {
         work_area: None,

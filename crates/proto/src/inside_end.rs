@@ -1,4 +1,4 @@
-//! An end of a rapid move that lies inside a barrier.
+//! Ends of a rapid move that lie inside a barrier.
 
 use std::fmt;
 
@@ -19,6 +19,28 @@ impl fmt::Display for InsideEnd {
         write!(
             f,
             "{field} lies {depth_mm} mm inside the barrier of {obstacle}: move it out or lower the clearance"
+        )
+    }
+}
+
+/// An end of a rapid move inside a barrier that no permitted way leads out of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShutInEnd {
+    /// `start` or `target`.
+    pub field: &'static str,
+    /// The obstacle's id, or `work_area`.
+    pub obstacle: String,
+    /// Why there is no way.
+    pub why: &'static str,
+}
+
+impl fmt::Display for ShutInEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { field, obstacle, why } = self;
+        write!(
+            f,
+            "{field} lies in the barrier of {obstacle} and has no way out: {why}; move it, choose another rule or lower \
+             the clearance"
         )
     }
 }

@@ -56,7 +56,7 @@ pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "
 pub use count::check_counts;
 pub use decode::{CheckQuestion, PlanQuestion, path_from_wire, requested_time_limit};
 pub use encode::{check_answer, check_request, plan_answer, plan_request, sound_answer};
-pub use inside_end::InsideEnd;
+pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;
 pub use refused::{REASONS, Refused};
 pub use schema::{PLANNER_SERVICE, Procedure};

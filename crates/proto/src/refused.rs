@@ -1,6 +1,6 @@
 //! Every way in which a call can fail: one closed enum, one reason each, one section in docs/errors.md each.
 
-use crate::InsideEnd;
+use crate::{InsideEnd, ShutInEnd};
 use std::time::Duration;
 use traverse_geometry::Finding;
 use traverse_planner::Refusal;
@@ -36,6 +36,13 @@ refusals! {
         /// Each end and each barrier that it lies in.
         ends: Vec<InsideEnd>,
     } = "END_INSIDE_BARRIER",
+    /// Start, target or both lie inside a barrier, and no way that the rules permit leads out.
+    EndShutIn {
+        /// Each such end.
+        ends: Vec<ShutInEnd>,
+        /// The other end, where it lies inside barriers that it may not leave.
+        inside: Vec<InsideEnd>,
+    } = "END_SHUT_IN",
     /// The published scan does not cover the request.
     PublishedMethodNotApplicable {
         /// What it does not cover.
@@ -145,12 +152,15 @@ impl Refused {
     /// Absent when there are none.
     #[must_use]
     pub fn by_planner(refusals: Vec<Refusal>) -> Option<Self> {
-        let mut ends = Vec::new();
+        let (mut ends, mut shut_in) = (Vec::new(), Vec::new());
         let mut other = None;
         for refusal in refusals {
             match refusal {
                 Refusal::EndInsideBarrier { field, obstacle, depth_mm } => {
                     ends.push(InsideEnd { field, obstacle, depth_mm });
+                }
+                Refusal::EndShutIn { field, obstacle, why } => {
+                    shut_in.push(ShutInEnd { field, obstacle, why })
                 }
                 Refusal::PublishedMethodNotApplicable { why } => {
                     other.get_or_insert(Self::PublishedMethodNotApplicable { why });
@@ -160,6 +170,10 @@ impl Refused {
                 }
             }
         }
-        if ends.is_empty() { other } else { Some(Self::EndInsideBarrier { ends }) }
+        match (shut_in.is_empty(), ends.is_empty()) {
+            (false, _) => Some(Self::EndShutIn { ends: shut_in, inside: ends }),
+            (true, false) => Some(Self::EndInsideBarrier { ends }),
+            (true, true) => other,
+        }
     }
 }

@@ -25,6 +25,7 @@ impl Refused {
         match self {
             Self::InvalidRequest { .. }
             | Self::EndInsideBarrier { .. }
+            | Self::EndShutIn { .. }
             | Self::PublishedMethodNotApplicable { .. }
             | Self::MalformedMessage { .. }
             | Self::MalformedJson { .. }
@@ -68,6 +69,7 @@ impl Refused {
         match self {
             Self::InvalidRequest { findings } => counted(findings.len(), findings.first()),
             Self::EndInsideBarrier { ends } => counted(ends.len(), ends.first()),
+            Self::EndShutIn { ends, inside } => counted(ends.len() + inside.len(), ends.first()),
             Self::PublishedMethodNotApplicable { why } => {
                 format!("the published supporting-line scan does not cover this request: {why}; use RAPID_ALGORITHM_EXACT")
             }
@@ -117,6 +119,13 @@ impl Refused {
         match self {
             Self::InvalidRequest { findings } => bounded(findings, of_finding),
             Self::EndInsideBarrier { ends } => bounded(ends, |end| of_end(end, self.reason())),
+            Self::EndShutIn { ends, inside } => {
+                let (mut listed, omitted) =
+                    bounded(ends, |end| violation(end.field, end.to_string(), self.reason()));
+                let (more, more_omitted) = bounded(inside, |end| of_end(end, "END_INSIDE_BARRIER"));
+                listed.extend(more);
+                (listed, omitted + more_omitted)
+            }
             Self::PublishedMethodNotApplicable { .. } => {
                 (vec![violation("rules.algorithm", self.message(), self.reason())], 0)
             }
@@ -131,6 +140,13 @@ impl Refused {
                     ("field", end.field.to_owned()),
                     ("obstacle_id", shortened(&end.obstacle, DESCRIPTION_BYTES)),
                     ("depth_mm", end.depth_mm.to_string()),
+                ]
+            }),
+            Self::EndShutIn { ends, .. } => ends.first().map_or_else(Vec::new, |end| {
+                vec![
+                    ("field", end.field.to_owned()),
+                    ("obstacle_id", shortened(&end.obstacle, DESCRIPTION_BYTES)),
+                    ("why", end.why.to_owned()),
                 ]
             }),
             Self::PublishedMethodNotApplicable { why } => vec![("why", (*why).to_owned())],

@@ -32,6 +32,7 @@ async fn every_finding_comes_at_once() {
     let polygon = |xy_mm| v1::Polygon { outer: ring(xy_mm), holes: vec![] };
     let mut negative = obstacle("g", square(0.0, 0.0, 1.0));
     negative.clearance_mm = Some(-1.0);
+    negative.top_z_mm = Some(f64::NAN);
     let obstacles = vec![
         obstacle("a", polygon(vec![0.0, 0.0, 1e308, 0.0, f64::NAN, 1.0])),
         obstacle("a", square(20.0, 0.0, 1.0)),
@@ -58,6 +59,14 @@ async fn every_finding_comes_at_once() {
                 time_limit: Some(prost_types::Duration { seconds: -1, nanos: 0 }),
                 iteration_limit: -5,
             }),
+            heights: Some(v1::HeightRule {
+                start_z_mm: f64::NAN,
+                clearance_z_mm: -2.0,
+                ..Default::default()
+            }),
+            clearances_mm: vec![2.0, 3.0, -1.0],
+            leave: Some(v1::EndRule { rule: Some(v1::end_rule::Rule::Direction(v1::Point::default())) }),
+            ..Default::default()
         }),
         validate_only: false,
     };
@@ -71,6 +80,12 @@ async fn every_finding_comes_at_once() {
         ("rules.algorithm", "UNKNOWN_ENUM_VALUE"),
         ("rules.options.time_limit", "OUT_OF_RANGE"),
         ("rules.options.iteration_limit", "OUT_OF_RANGE"),
+        ("rules.heights.start_z_mm", "NOT_FINITE"),
+        ("rules.heights.clearance_z_mm", "OUT_OF_RANGE"),
+        ("rules.clearances_mm[1]", "OUT_OF_RANGE"),
+        ("rules.clearances_mm[2]", "OUT_OF_RANGE"),
+        ("rules.leave.direction", "OUT_OF_RANGE"),
+        ("scene.obstacles[6].top_z_mm", "NOT_FINITE"),
         ("scene.clearance_mm", "NOT_FINITE"),
         ("scene.corner_style", "UNKNOWN_ENUM_VALUE"),
         ("scene.miter_limit", "OUT_OF_RANGE"),
@@ -106,19 +121,25 @@ async fn a_path_to_check_is_validated_too() {
     let server = Running::start().await;
     let arc = v1::Arc { center: point(f64::NAN, 0.0), clockwise: true, sweep_rad: -1.0 };
     let steps = vec![
-        v1::PathStep { end: None, arc: None },
-        v1::PathStep { end: point(0.0, 0.0), arc: Some(arc) },
-        v1::PathStep { end: point(0.0, 0.0), arc: Some(v1::Arc { sweep_rad: 7.0, ..Default::default() }) },
+        v1::PathStep { end: None, arc: None, z_mm: Some(1e9) },
+        v1::PathStep { end: point(0.0, 0.0), arc: Some(arc), ..Default::default() },
+        v1::PathStep {
+            end: point(0.0, 0.0),
+            arc: Some(v1::Arc { sweep_rad: 7.0, ..Default::default() }),
+            ..Default::default()
+        },
     ];
     let check = v1::CheckRapidMoveRequest {
         request: Some(v1::PlanRapidMoveRequest { start: None, ..past_a_block() }),
-        path: Some(v1::Path { start: None, steps, length_mm: f64::NAN }),
+        path: Some(v1::Path { start: None, steps, length_mm: f64::NAN, start_z_mm: Some(f64::NAN) }),
         tolerance_mm: Some(0.0),
     };
     let status = server.client().await.check_rapid_move(check).await.expect_err("all of it is wrong");
     let expected = found(&[
         ("path.start", "MISSING_FIELD"),
+        ("path.start_z_mm", "NOT_FINITE"),
         ("path.steps[0].end", "MISSING_FIELD"),
+        ("path.steps[0].z_mm", "COORDINATE_TOO_LARGE"),
         ("path.steps[1].arc.center.x_mm", "NOT_FINITE"),
         ("path.steps[1].arc.sweep_rad", "OUT_OF_RANGE"),
         ("path.steps[2].arc.center", "MISSING_FIELD"),
@@ -148,9 +169,30 @@ async fn ends_inside_barriers_are_refused_with_obstacle_and_depth() {
 }
 
 #[tokio::test]
+async fn an_end_that_is_shut_in_is_refused_with_why() {
+    let server = Running::start().await;
+    let towards_it =
+        v1::EndRule { rule: Some(v1::end_rule::Rule::Direction(v1::Point { x_mm: 1.0, y_mm: 0.0 })) };
+    let rules = v1::RapidRules { leave: Some(towards_it), ..Default::default() };
+    let request = v1::PlanRapidMoveRequest {
+        start: point(-1.0, 5.0),
+        target: point(5.0, -2.0),
+        rules: Some(rules),
+        ..past_a_block()
+    };
+    let status = server.client().await.plan_rapid_move(request).await.expect_err("into the block");
+    assert_eq!((status.code(), reason(&status).as_str()), (Code::InvalidArgument, "END_SHUT_IN"));
+    assert_eq!(findings(&status), found(&[("start", "END_SHUT_IN"), ("target", "END_INSIDE_BARRIER")]));
+    let metadata = status.get_details_error_info().expect("there").metadata;
+    assert_eq!((metadata["obstacle_id"].as_str(), metadata["field"].as_str()), ("block", "start"));
+    assert!(metadata["why"].contains("crosses an obstacle"), "{metadata:?}");
+}
+
+#[tokio::test]
 async fn the_published_scan_says_what_it_does_not_cover() {
     let server = Running::start().await;
-    let rules = v1::RapidRules { algorithm: v1::RapidAlgorithm::SupportingLines.into(), options: None };
+    let rules =
+        v1::RapidRules { algorithm: v1::RapidAlgorithm::SupportingLines.into(), ..Default::default() };
     let request = v1::PlanRapidMoveRequest { rules: Some(rules), ..past_a_block() };
     let status = server.client().await.plan_rapid_move(request).await.expect_err("round corners");
     assert_eq!(reason(&status), "PUBLISHED_METHOD_NOT_APPLICABLE");
@@ -189,8 +231,8 @@ async fn counts_beyond_the_limits_are_named() {
     };
     assert_eq!(findings(&refused(&mut client, 3).await), found(&[("scene", "TOO_MANY")]));
     assert_eq!(findings(&refused(&mut client, 4).await), found(&[("scene.obstacles", "TOO_MANY")]));
-    let steps = vec![v1::PathStep { end: point(0.0, 0.0), arc: None }; 3];
-    let path = v1::Path { start: point(0.0, 0.0), steps, length_mm: 0.0 };
+    let steps = vec![v1::PathStep { end: point(0.0, 0.0), arc: None, ..Default::default() }; 3];
+    let path = v1::Path { start: point(0.0, 0.0), steps, length_mm: 0.0, start_z_mm: None };
     let check =
         v1::CheckRapidMoveRequest { request: Some(past_a_block()), path: Some(path), tolerance_mm: None };
     let status = client.check_rapid_move(check).await.expect_err("too many");

@@ -32,8 +32,8 @@ async fn a_rapid_move_is_planned_and_its_check_finds_it_sound() {
 #[tokio::test]
 async fn a_path_through_an_obstacle_is_reported() {
     let server = Running::start().await;
-    let step = v1::PathStep { end: point(15.0, 2.0), arc: None };
-    let path = v1::Path { start: point(-5.0, 2.0), steps: vec![step], length_mm: 0.0 };
+    let step = v1::PathStep { end: point(15.0, 2.0), arc: None, ..Default::default() };
+    let path = v1::Path { start: point(-5.0, 2.0), steps: vec![step], length_mm: 0.0, start_z_mm: None };
     let check =
         v1::CheckRapidMoveRequest { request: Some(past_a_block()), path: Some(path), tolerance_mm: None };
     let found = server.client().await.check_rapid_move(check).await.expect("sound").into_inner();

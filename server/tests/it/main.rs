@@ -13,5 +13,6 @@ mod json;
 mod load;
 mod log;
 mod request;
+mod rules;
 mod running;
 mod web;

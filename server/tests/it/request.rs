@@ -13,7 +13,7 @@ pub(crate) fn square(x: f64, y: f64, side: f64) -> v1::Polygon {
 }
 
 pub(crate) fn obstacle(id: &str, shape: v1::Polygon) -> v1::Obstacle {
-    v1::Obstacle { id: id.to_owned(), shape: Some(shape), clearance_mm: None }
+    v1::Obstacle { id: id.to_owned(), shape: Some(shape), clearance_mm: None, top_z_mm: None }
 }
 
 /// Past a square of 10 mm between start and target, 3 mm away from it.

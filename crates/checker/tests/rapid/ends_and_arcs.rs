@@ -13,7 +13,7 @@ fn violations(path: &Path) -> Vec<(String, ViolationReason, f64)> {
 fn circular(start: (f64, f64), end: (f64, f64), center: (f64, f64), sweep: f64) -> Path {
     let mut path = Path::at(p(start.0, start.1));
     let center = p(center.0, center.1);
-    path.steps.push(PathStep { end: p(end.0, end.1), arc: Some(PathArc { center, sweep }) });
+    path.steps.push(PathStep { end: p(end.0, end.1), arc: Some(PathArc { center, sweep }), z_mm: None });
     path
 }
 

@@ -25,11 +25,13 @@ fn any_path() -> impl Strategy<Value = Path> {
     let step = (number(), number(), proptest::option::of((number(), number(), number())));
     (number(), number(), proptest::collection::vec(step, 0..6)).prop_map(|(x, y, steps)| Path {
         start: p(x, y),
+        start_z_mm: None,
         steps: steps
             .into_iter()
             .map(|(x, y, arc)| PathStep {
                 end: p(x, y),
                 arc: arc.map(|(x, y, sweep)| PathArc { center: p(x, y), sweep }),
+                z_mm: None,
             })
             .collect(),
     })

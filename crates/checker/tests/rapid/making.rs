@@ -44,6 +44,7 @@ pub(crate) fn scene(clearance_mm: f64, rings: Vec<Ring>) -> Scene {
             id: name.to_string(),
             shape: Polygon::from_ring(ring),
             clearance_mm: None,
+            top_z_mm: None,
         })
         .collect();
     Scene {
@@ -61,7 +62,7 @@ pub(crate) fn mitred(scene: Scene, limit: Option<f64>) -> Scene {
 
 pub(crate) fn line(xy: &[(f64, f64)]) -> Path {
     let mut path = Path::at(p(xy[0].0, xy[0].1));
-    path.steps.extend(xy[1..].iter().map(|&(x, y)| PathStep { end: p(x, y), arc: None }));
+    path.steps.extend(xy[1..].iter().map(|&(x, y)| PathStep { end: p(x, y), arc: None, z_mm: None }));
     path
 }
 
@@ -72,12 +73,12 @@ pub(crate) fn arc(mut path: Path, center: (f64, f64), sweep_degrees: f64) -> Pat
     let spoke = path.end() - center;
     let (sin, cos) = sweep.sin_cos();
     let end = center + nalgebra::Vector2::new(cos * spoke.x - sin * spoke.y, sin * spoke.x + cos * spoke.y);
-    path.steps.push(PathStep { end, arc: Some(PathArc { center, sweep }) });
+    path.steps.push(PathStep { end, arc: Some(PathArc { center, sweep }), z_mm: None });
     path
 }
 
 pub(crate) fn to(mut path: Path, x: f64, y: f64) -> Path {
-    path.steps.push(PathStep { end: p(x, y), arc: None });
+    path.steps.push(PathStep { end: p(x, y), arc: None, z_mm: None });
     path
 }
 

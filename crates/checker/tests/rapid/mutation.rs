@@ -37,14 +37,14 @@ fn taut(start: Point, circles: &[(Point, f64)], target: Point) -> Path {
     let mut path = Path::at(start);
     for (i, &(center, radius)) in circles.iter().enumerate() {
         let (arrive, leave) = (tangents[i].1, tangents[i + 1].0);
-        path.steps.push(PathStep { end: arrive, arc: None });
+        path.steps.push(PathStep { end: arrive, arc: None, z_mm: None });
         if radius > 0.0 {
             let (from, to) = (arrive - center, leave - center);
             let sweep = (from.x * to.y - from.y * to.x).atan2(from.dot(&to)).rem_euclid(TAU);
-            path.steps.push(PathStep { end: leave, arc: Some(PathArc { center, sweep }) });
+            path.steps.push(PathStep { end: leave, arc: Some(PathArc { center, sweep }), z_mm: None });
         }
     }
-    path.steps.push(PathStep { end: target, arc: None });
+    path.steps.push(PathStep { end: target, arc: None, z_mm: None });
     path
 }
 

@@ -67,6 +67,7 @@ fn holes_are_free_and_their_borders_are_not() {
         id: "ring".into(),
         shape: ring_shape,
         clearance_mm: None,
+        top_z_mm: None,
     });
     accepts(&holed, &line(&[(-4.0, 0.0), (4.0, 0.0)]));
     accepts(&holed, &arc(line(&[(5.0, 0.0)]), (0.0, 0.0), 360.0));

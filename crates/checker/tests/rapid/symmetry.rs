@@ -61,7 +61,8 @@ proptest! {
         let path = line(&stops.iter().map(|&(x, y)| (f64::from(x), f64::from(y))).collect::<Vec<_>>());
         let turned = Path {
             start: moved(path.start, mirror),
-            steps: path.steps.iter().map(|step| PathStep { end: moved(step.end, mirror), arc: None }).collect(),
+            start_z_mm: None,
+            steps: path.steps.iter().map(|step| PathStep { end: moved(step.end, mirror), arc: None, z_mm: None }).collect(),
         };
         let (here, there, back_again) = (check(&one, &path), check(&other, &turned), check(&one, &path.reversed()));
         prop_assert!((here.cost - there.cost).abs() < 1e-9);

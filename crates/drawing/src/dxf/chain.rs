@@ -34,7 +34,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Goes on along a smooth curve; `end` is where that ends, but for rounding.
-    pub(super) fn smooth(mut self, curve: &dyn Smooth, end: Point) -> Result<Self, ReadError> {
+    pub(super) fn smooth(mut self, curve: &impl Smooth, end: Point) -> Result<Self, ReadError> {
         let edges = fitted_edges(curve, self.tolerance_mm, self.budget.left());
         let edges = edges.ok_or_else(|| self.budget.exceeded())?;
         self.deviation_mm = self.tolerance_mm;

@@ -157,14 +157,13 @@ impl Bezier {
 
 impl Smooth for Bezier {
     fn point(&self, t: f64) -> Point {
-        let [a, b] = self.last_step(t);
-        plain(mix(a, b, t))
+        self.at(t).0
     }
 
-    fn derivative(&self, t: f64) -> Vector {
+    fn at(&self, t: f64) -> (Point, Vector) {
         let [a, b] = self.last_step(t);
         let at = mix(a, b, t);
-        (plain(b) - plain(a)) * (self.degree as f64 * a[2] * b[2] / (at[2] * at[2]))
+        (plain(at), (plain(b) - plain(a)) * (self.degree as f64 * a[2] * b[2] / (at[2] * at[2])))
     }
 }
 
@@ -202,7 +201,7 @@ mod tests {
         for piece in &pieces {
             for i in 0..=20 {
                 let t = f64::from(i) / 20.0;
-                let (p, d) = (piece.point(t), piece.derivative(t));
+                let (p, d) = piece.at(t);
                 assert!((p.coords.norm() - 1.0).abs() < 1e-14);
                 assert!(p.coords.dot(&d).abs() < 1e-14 && p.coords.perp(&d) > 0.5);
             }

@@ -32,7 +32,7 @@ pub(super) fn sniff(bytes: &[u8]) -> Result<Spelling, ReadError> {
     if begins_with_group_code(text) {
         return Ok(Spelling::Ascii);
     }
-    Err(ReadError::NotDxf { found: looks_like(bytes) })
+    Err(ReadError::NotDxf { found: looks_like(bytes).name() })
 }
 
 /// By its mark, or by every second byte of its first letters being zero.

@@ -1,10 +1,14 @@
 //! Two arcs that have given directions at their outer ends and one direction where they meet.
 
 use super::Smooth;
+use super::station::Station;
 use traverse_geometry::{Point, Vector, cross};
 
-/// Halvings in the search for the joint: to the last bits of a double.
-const HALVINGS: usize = 44;
+/// Steps in the search for the joint; it takes five or six.
+const MOST_STEPS: usize = 40;
+
+/// The views of both ends from the joint and from the circle differ by this angle at most, radians.
+const NEGLIGIBLE: f64 = 1e-12;
 
 /// The bulge of the arc over `chord` that sets out in direction `departure`: half the sweep lies between them.
 pub(super) fn departing_bulge(departure: Vector, chord: Vector) -> f64 {
@@ -19,32 +23,56 @@ pub(super) fn arriving_bulge(chord: Vector, arrival: Vector) -> f64 {
 /// The share of the piece at which its biarc changes from one arc to the other: where the curve cuts the circle of
 /// all possible joints. None when it does not cut that circle once.
 pub(super) fn joint(
-    curve: &dyn Smooth,
-    (from, to): (f64, f64),
+    curve: &impl Smooth,
+    [from, middle, to]: [&Station; 3],
     (departure, arrival): (Vector, Vector),
 ) -> Option<f64> {
-    let (start, end) = (curve.point(from), curve.point(to));
-    let middle = even_joint(start, end, departure, arrival)?;
-    let (spread, facing) = seen_from(middle, start, end);
+    let (start, end) = (from.point, to.point);
+    let even = even_joint(start, end, departure, arrival)?;
+    let (spread, facing) = seen_from(even, start, end);
     // Points on the circle see the ends under one angle. Both ends lie on it too: they are divided out.
-    let off_circle = |share: f64| {
-        let (cross, dot) = seen_from(curve.point(from + (to - from) * share), start, end);
+    let off_circle_at = |share: f64, point: Point| {
+        let (cross, dot) = seen_from(point, start, end);
         (cross * facing - dot * spread) / (share * (1.0 - share))
     };
-    let (mut low, mut high) = (1.0 / 16.0, 15.0 / 16.0);
-    let at_low = off_circle(low);
-    let at_middle = off_circle(0.5);
+    let off_circle = |share: f64| off_circle_at(share, curve.point(from.t + (to.t - from.t) * share));
     // Also what is a circle's arc up to rounding: there any joint will do.
-    let negligible = 1e-12 * (end - start).norm_squared() * spread.hypot(facing);
+    let negligible = NEGLIGIBLE * (end - start).norm_squared() * spread.hypot(facing);
+    let at_middle = off_circle_at(0.5, middle.point);
     if at_middle.abs() <= negligible {
         return Some(0.5);
     }
-    let cuts_once = at_low * off_circle(high) < 0.0;
-    for _ in 0..if cuts_once { HALVINGS } else { 0 } {
-        let share = (low + high) / 2.0;
-        if off_circle(share) * at_low > 0.0 { low = share } else { high = share }
+    let (low, high) = (1.0 / 16.0, 15.0 / 16.0);
+    let (at_low, at_high) = (off_circle(low), off_circle(high));
+    let cuts_once = at_low * at_high < 0.0;
+    cuts_once.then(|| {
+        let (outer, at_outer) = if at_low * at_middle < 0.0 { (low, at_low) } else { (high, at_high) };
+        root(off_circle, (outer, at_outer), (0.5, at_middle), negligible)
+    })
+}
+
+/// Where `value` falls below `negligible` between two places of opposite sign: false position, with the value at the
+/// place that stays halved (Dowell, Jarratt 1971).
+fn root(
+    value: impl Fn(f64) -> f64,
+    (mut opposite, mut at_opposite): (f64, f64),
+    (mut last, mut at_last): (f64, f64),
+    negligible: f64,
+) -> f64 {
+    for _ in 0..MOST_STEPS {
+        let share = last - at_last * ((last - opposite) / (at_last - at_opposite));
+        let at_share = value(share);
+        if at_share * at_last < 0.0 {
+            (opposite, at_opposite) = (last, at_last);
+        } else {
+            at_opposite /= 2.0;
+        }
+        (last, at_last) = (share, at_share);
+        if at_last.abs() <= negligible {
+            break;
+        }
     }
-    cuts_once.then_some((low + high) / 2.0)
+    last
 }
 
 /// Where the biarc with tangents of equal length meets: half-way between the tips of its end tangents, which lie twice

@@ -2,8 +2,10 @@
 
 use super::biarc::{arriving_bulge, departing_bulge, joint};
 use super::follows::follows;
-use super::smooth::{Smooth, end_directions};
-use traverse_geometry::{Edge, FLAT_ARC_MM, Point, RADIUS_LIMIT_MM};
+use super::smooth::Smooth;
+use super::station::{Station, end_directions};
+use super::track::Track;
+use traverse_geometry::{FLAT_ARC_MM, Point, RADIUS_LIMIT_MM};
 
 /// Halvings after which a piece is left as it is: too short to matter.
 const DEEPEST: u32 = 48;
@@ -23,93 +25,153 @@ type BulgeAndEnd = (f64, Point);
 /// below the tolerance. Nothing for a curve that never leaves its start. None when more edges would be needed, or when the
 /// curve holds a coordinate that is no finite number. How the distance is assured: see [`super::follows`].
 pub(crate) fn fitted_edges(
-    curve: &dyn Smooth,
+    curve: &impl Smooth,
     tolerance_mm: f64,
     most_edges: usize,
 ) -> Option<Vec<BulgeAndEnd>> {
     let mut edges = Vec::new();
     let mut leaves = 0;
+    let whole =
+        Piece { from: Station::at(curve, 0.0)?, to: Station::at(curve, 1.0)?, halvings_left: DEEPEST };
     // The pieces still to do, the nearest to the start on top.
-    let mut pieces = vec![(0.0, 1.0, DEEPEST)];
-    while let Some((from, to, halvings_left)) = pieces.pop() {
-        if let Some(fitted) = fitted_piece(curve, (from, to), tolerance_mm, halvings_left == 0)? {
-            leaves += fitted.len().max(1);
-            if leaves > most_edges {
-                return None;
+    let mut pieces = vec![whole];
+    while let Some(piece) = pieces.pop() {
+        match fitted_piece(curve, &piece, tolerance_mm)? {
+            Fitted::Edges(fitted) => {
+                leaves += fitted.iter().flatten().count().max(1);
+                if leaves > most_edges {
+                    return None;
+                }
+                edges.extend(fitted.into_iter().flatten());
             }
-            edges.extend(fitted.into_iter().flatten());
-        } else {
-            let middle = from + (to - from) / 2.0;
-            pieces.push((middle, to, halvings_left - 1));
-            pieces.push((from, middle, halvings_left - 1));
-            // Each piece ends in an edge at least.
-            if leaves + pieces.len() > most_edges.saturating_add(1) {
-                return None;
+            Fitted::Parted(middle, parts) => {
+                piece.part(curve, &middle, parts, &mut pieces)?;
+                // Each piece ends in an edge at least.
+                if leaves + pieces.len() > most_edges.saturating_add(1) {
+                    return None;
+                }
             }
         }
     }
     Some(edges)
 }
 
-/// The piece as one or two edges, nothing in place of an edge without length; `Some(None)` when it must be halved.
-/// None when it is not finite.
-fn fitted_piece(
-    curve: &dyn Smooth,
-    (from, to): (f64, f64),
-    tolerance_mm: f64,
-    as_it_is: bool,
-) -> Option<Option<Vec<Option<BulgeAndEnd>>>> {
-    let (start, end) = (curve.point(from), curve.point(to));
-    if !(start - end).norm_squared().is_finite() {
-        return None;
+/// A piece of the curve still to do.
+struct Piece {
+    from: Station,
+    to: Station,
+    halvings_left: u32,
+}
+
+/// What became of a piece.
+enum Fitted {
+    /// One or two edges, nothing in place of an edge without length.
+    Edges([Option<BulgeAndEnd>; 2]),
+    /// It must be parted into so many, 2 to 4; with its middle.
+    Parted(Station, u32),
+}
+
+impl Piece {
+    /// Puts its parts on the pile, the first one on top. None when the curve is not finite there.
+    fn part(&self, curve: &impl Smooth, middle: &Station, parts: u32, pieces: &mut Vec<Self>) -> Option<()> {
+        let halvings_left = self.halvings_left.saturating_sub(if parts == 2 { 1 } else { 2 });
+        let mut to = self.to;
+        for i in (0..parts).rev() {
+            let from = match i {
+                0 => self.from,
+                _ if 2 * i == parts => *middle,
+                _ => Station::at(
+                    curve,
+                    self.from.t + (self.to.t - self.from.t) * f64::from(i) / f64::from(parts),
+                )?,
+            };
+            pieces.push(Self { from, to, halvings_left });
+            to = from;
+        }
+        Some(())
     }
-    let straight = || Some(vec![(start != end).then_some((0.0, end))]);
-    if as_it_is || stays_near(curve, (from, to), tolerance_mm / 2.0)? {
-        return Some(straight());
+}
+
+/// The piece as edges, or into how many it must be parted. None when it is not finite.
+fn fitted_piece(curve: &impl Smooth, piece: &Piece, tolerance_mm: f64) -> Option<Fitted> {
+    let (from, to) = (&piece.from, &piece.to);
+    let (start, end) = (from.point, to.point);
+    let straight = Fitted::Edges([(start != end).then_some((0.0, end)), None]);
+    let middle = Station::at(curve, from.t + (to.t - from.t) / 2.0)?;
+    if piece.halvings_left == 0 || stays_near(curve, piece, tolerance_mm / 2.0)? {
+        return Some(straight);
     }
-    let keeps_within = |edge: BulgeAndEnd, share: (f64, f64), tolerance: f64| {
-        let (bulge, edge_end) = edge;
-        let edge = Edge::from_bulge(curve.point(share.0), edge_end, bulge);
-        follows(curve, share, &edge, tolerance)
+    let keeps_within = |edge: BulgeAndEnd, tolerance: f64| {
+        Track::new(start, end, edge.0).is_some_and(|track| {
+            let near = |(distance, _): (f64, _)| f64::abs(distance) <= tolerance;
+            track.beside(middle.point).is_some_and(near) && follows(curve, (from.t, to.t), &track, tolerance)
+        })
     };
     let exact = SINGLE_EDGE_SHARE * tolerance_mm;
-    if keeps_within((0.0, end), (from, to), exact) {
-        return Some(straight());
+    if keeps_within((0.0, end), exact) {
+        return Some(straight);
     }
-    let Some((departure, arrival)) = end_directions(curve, from, to) else { return Some(None) };
+    let Some((departure, arrival)) = end_directions(curve, from, &middle, to) else {
+        return Some(Fitted::Parted(middle, 2));
+    };
     let chord = end - start;
     let mean = f64::midpoint(departing_bulge(departure, chord), arriving_bulge(chord, arrival));
     if let Some(arc) = usable_edge(mean, start, end)
-        && keeps_within(arc, (from, to), exact)
+        && keeps_within(arc, exact)
     {
-        return Some(Some(vec![Some(arc)]));
+        return Some(Fitted::Edges([Some(arc), None]));
     }
     let biarc = || {
-        let joint_at = from + (to - from) * joint(curve, (from, to), (departure, arrival))?;
+        let joint_at = from.t + (to.t - from.t) * joint(curve, [from, &middle, to], (departure, arrival))?;
         let met = curve.point(joint_at);
         let first = usable_edge(departing_bulge(departure, met - start), start, met)?;
         let second = usable_edge(arriving_bulge(end - met, arrival), met, end)?;
-        let fits = keeps_within(first, (from, joint_at), tolerance_mm)
-            && keeps_within(second, (joint_at, to), tolerance_mm);
-        fits.then(|| vec![Some(first), Some(second)])
+        let halves = [
+            ((from.t, joint_at), Track::new(start, met, first.0)?),
+            ((joint_at, to.t), Track::new(met, end, second.0)?),
+        ];
+        // Each half parts most from its arc in its middle.
+        let mut farthest: f64 = 0.0;
+        for ((from, to), track) in &halves {
+            farthest = farthest.max(track.beside(curve.point(f64::midpoint(*from, *to)))?.0.abs());
+        }
+        let fits = farthest <= tolerance_mm
+            && halves.iter().all(|(share, track)| follows(curve, *share, track, tolerance_mm));
+        Some(if fits {
+            Fitted::Edges([Some(first), Some(second)])
+        } else {
+            Fitted::Parted(middle, parts_for(farthest / tolerance_mm))
+        })
     };
-    Some(biarc())
+    Some(biarc().unwrap_or(Fitted::Parted(middle, 2)))
+}
+
+/// Into how many parts a piece goes whose biarc runs so many tolerances beside it: the error falls with the cube.
+fn parts_for(tolerances: f64) -> u32 {
+    const ROOM: f64 = 0.9;
+    if tolerances <= 8.0 * ROOM {
+        2
+    } else if tolerances <= 27.0 * ROOM {
+        3
+    } else {
+        4
+    }
 }
 
 /// Whether the piece never leaves the ball of that radius about its start, as far as sampled; none when it is not
 /// finite.
-fn stays_near(curve: &dyn Smooth, (from, to): (f64, f64), radius_mm: f64) -> Option<bool> {
-    let start = curve.point(from);
-    let mut near = true;
-    for i in 1..=8 {
-        let distance = (curve.point(from + (to - from) * f64::from(i) / 8.0) - start).norm();
-        if !distance.is_finite() {
-            return None;
-        }
-        near &= distance <= radius_mm;
+fn stays_near(curve: &impl Smooth, piece: &Piece, radius_mm: f64) -> Option<bool> {
+    let (from, to) = (&piece.from, &piece.to);
+    let mut near = (to.point - from.point).norm() <= radius_mm;
+    for i in 1..8 {
         if !near {
             break;
         }
+        let distance = (curve.point(from.t + (to.t - from.t) * f64::from(i) / 8.0) - from.point).norm();
+        if !distance.is_finite() {
+            return None;
+        }
+        near = distance <= radius_mm;
     }
     Some(near)
 }

@@ -30,13 +30,13 @@ impl EllipticArc {
 
 impl Smooth for EllipticArc {
     fn point(&self, t: f64) -> Point {
-        let (sin, cos) = self.angle(t).sin_cos();
-        self.center + self.first * cos + self.second * sin
+        self.at(t).0
     }
 
-    fn derivative(&self, t: f64) -> Vector {
+    fn at(&self, t: f64) -> (Point, Vector) {
         let (sin, cos) = self.angle(t).sin_cos();
-        (self.second * cos - self.first * sin) * self.sweep
+        let point = self.center + self.first * cos + self.second * sin;
+        (point, (self.second * cos - self.first * sin) * self.sweep)
     }
 }
 
@@ -73,6 +73,6 @@ mod tests {
         };
         assert!((arc.point(0.0) - Point::new(1.0, 5.0)).norm() < 1e-12);
         assert!((arc.point(0.5) - Point::new(-3.0, 2.0)).norm() < 1e-12);
-        assert!((arc.derivative(0.5) - Vector::new(0.0, -3.0 * PI)).norm() < 1e-12);
+        assert!((arc.at(0.5).1 - Vector::new(0.0, -3.0 * PI)).norm() < 1e-12);
     }
 }

@@ -5,55 +5,37 @@
 //! edge must also move forward with the curve. So the foot runs over the whole edge without a jump, every point of
 //! the edge is the foot of some point of the piece, and the bound holds both ways: no point of the piece is farther
 //! from the edge, and no point of the edge farther from the piece.
+//!
+//! The middle is looked at first: both run through the same ends, so that is where they part most.
 
 use super::Smooth;
-use traverse_geometry::{Edge, Point, Vector, cross, left_of};
+use super::track::Track;
 
 /// Places inside a piece at which it is compared with its edge.
 const SAMPLES: usize = 9;
 
-/// The curve may lean this far from the edge's direction: the cosine of 60°.
-const LEAST_COSINE: f64 = 0.5;
+/// The order in which they are looked at.
+const ORDER: [usize; SAMPLES] = [5, 3, 7, 2, 8, 4, 6, 1, 9];
+
+/// The square of the cosine of the angle by which the curve may lean from the edge's direction: 60°.
+const LEAST_SQUARED_COSINE: f64 = 0.25;
 
 /// Whether the piece and the edge over the same ends run within `tolerance_mm` of each other, forward all the way.
-pub(super) fn follows(curve: &dyn Smooth, (from, to): (f64, f64), edge: &Edge, tolerance_mm: f64) -> bool {
-    let mut largest: f64 = 0.0;
-    let mut largest_bend: f64 = 0.0;
-    let mut last_two = [0.0, 0.0];
-    for i in 1..=SAMPLES {
-        let t = from + (to - from) * i as f64 / (SAMPLES + 1) as f64;
-        let point = curve.point(t);
-        let Some((distance, direction)) = beside(edge, point) else { return false };
-        let derivative = curve.derivative(t);
-        let forward = derivative.dot(&direction) > LEAST_COSINE * derivative.norm();
-        if !forward || distance.abs() > tolerance_mm {
+pub(super) fn follows(curve: &impl Smooth, (from, to): (f64, f64), edge: &Track, tolerance_mm: f64) -> bool {
+    // At both ends the distance is 0.
+    let mut distances = [0.0_f64; SAMPLES + 2];
+    for i in ORDER {
+        let (point, derivative) = curve.at(from + (to - from) * i as f64 / (SAMPLES + 1) as f64);
+        let Some((distance, direction)) = edge.beside(point) else { return false };
+        let along = derivative.dot(&direction);
+        let forward = along > 0.0 && along * along > LEAST_SQUARED_COSINE * derivative.norm_squared();
+        let near = distance.abs() <= tolerance_mm;
+        if !(forward && near) {
             return false;
         }
-        largest = largest.max(distance.abs());
-        if i > 1 {
-            largest_bend = largest_bend.max((last_two[0] - 2.0 * last_two[1] + distance).abs());
-        }
-        last_two = [last_two[1], distance];
+        distances[i] = distance;
     }
-    // At both ends the distance is 0.
-    largest_bend = largest_bend.max((last_two[0] - 2.0 * last_two[1]).abs());
-    largest + largest_bend / 4.0 <= tolerance_mm
-}
-
-/// The signed distance of a point from the line or circle of an edge, and the unit direction of travel at its foot;
-/// none when the foot is not on the edge.
-fn beside(edge: &Edge, point: Point) -> Option<(f64, Vector)> {
-    match edge {
-        Edge::Segment(segment) => {
-            let direction = segment.vector().try_normalize(0.0)?;
-            let along = (point - segment.start).dot(&direction);
-            let on_it = along >= 0.0 && along <= segment.length();
-            on_it.then(|| (cross(direction, point - segment.start), direction))
-        }
-        Edge::Arc(arc) => {
-            let spoke = point - arc.center;
-            let direction = left_of(spoke).try_normalize(0.0)? * arc.sweep.signum();
-            arc.spans(spoke).then(|| (spoke.norm() - arc.radius, direction))
-        }
-    }
+    let largest = distances.iter().fold(0.0_f64, |largest, distance| largest.max(distance.abs()));
+    let bends = distances.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]).abs());
+    largest + bends.fold(0.0, f64::max) / 4.0 <= tolerance_mm
 }

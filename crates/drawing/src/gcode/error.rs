@@ -20,6 +20,9 @@ pub enum GcodeError {
         /// What it holds.
         value: f64,
     },
+    /// The path has heights: moves in the plane alone would run into what it passes over.
+    #[error("the path has heights, which are not written as g-code; plan without heights")]
+    Heights,
     /// The numbers of an arc contradict each other.
     #[error(
         "step {step} of the path ends {distance_mm} mm off where its centre and sweep lead; correct its end"

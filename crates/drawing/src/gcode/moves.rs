@@ -128,6 +128,9 @@ fn check_path(path: &Path) -> Result<(), GcodeError> {
         let wrong = [p.x, p.y].into_iter().find(|value| !value.is_finite());
         wrong.map_or(Ok(()), |value| Err(GcodeError::NotFinite { step, value }))
     };
+    if path.start_z_mm.is_some() || path.steps.iter().any(|step| step.z_mm.is_some()) {
+        return Err(GcodeError::Heights);
+    }
     finite(path.start, 0)?;
     let mut from = path.start;
     for (each, step) in path.steps.iter().zip(1..) {

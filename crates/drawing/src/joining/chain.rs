@@ -31,8 +31,8 @@ pub(super) struct Chains {
     pub(super) chains: Vec<Chain>,
     /// How many ends meet at each vertex.
     pub(super) ends: Vec<usize>,
-    /// Vertices where three or more ends meet and leave a chain open.
-    pub(super) junctions: Vec<usize>,
+    /// Vertices where three or more ends meet and leave a chain open, each with one link that ends there.
+    pub(super) junctions: Vec<(usize, usize)>,
 }
 
 /// Follows the links. Cost: linear.
@@ -68,6 +68,7 @@ pub(super) fn chains(links: &[Link], vertex_count: usize) -> Chains {
         .collect();
     junctions.sort_unstable();
     junctions.dedup();
+    let junctions = junctions.into_iter().map(|vertex| (vertex, at_vertex[vertex][0])).collect();
     Chains { chains: found, ends, junctions }
 }
 

@@ -3,7 +3,8 @@
 use super::frame::{MARGIN, WIDTH};
 use super::markers::{Kind, MARKED_FINDINGS, disc};
 use super::style::SAID;
-use super::text::{Weight, push_text, wrapped};
+use super::text::{Weight, wrapped};
+use super::text_line::push_text;
 use crate::DrawingFinding;
 
 /// From line to line.

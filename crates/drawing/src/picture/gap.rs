@@ -3,7 +3,8 @@
 use super::frame::Frame;
 use super::label::{Places, box_at};
 use super::style::SMALL;
-use super::text::{Weight, millimetres, push_text, width_of};
+use super::text::{Weight, millimetres, width_of};
+use super::text_line::push_text;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use traverse_geometry::Point;

@@ -2,7 +2,8 @@
 
 use super::frame::{MARGIN, WIDTH};
 use super::style::{LARGE, SMALL};
-use super::text::{Weight, fitted, push_text, wrapped};
+use super::text::{Weight, fitted, wrapped};
+use super::text_line::push_text;
 
 /// The lines above the drawing, each with its style and letter size.
 pub(super) struct Header {

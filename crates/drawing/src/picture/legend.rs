@@ -4,7 +4,8 @@ use super::frame::{Frame, MARGIN, WIDTH};
 use super::scale_bar;
 use super::sign::Sign;
 use super::style::SMALL;
-use super::text::{Weight, fitted, push_text, width_of};
+use super::text::{Weight, fitted, width_of};
+use super::text_line::push_text;
 
 /// Where the legend's entries stand.
 pub(super) struct Legend {

@@ -9,7 +9,7 @@ use super::gap;
 use super::label::Places;
 use super::route::samples;
 use super::style::NUMBER;
-use super::text::push_text;
+use super::text_line::push_text;
 use crate::{DrawingFinding, Fault};
 use std::f64::consts::TAU;
 use std::fmt::Write;

@@ -23,8 +23,9 @@ pub(super) fn header(scene: &Scene, shown: &Shown<'_>, title: &str) -> Header {
         Shown::Path(_) | Shown::Paths(_) => {
             let straight: f64 = shown.ends().iter().map(|(start, target)| (target - start).norm()).sum();
             let (moves, length) = (moves(shown.paths().len()), length(shown.paths()));
+            let level = shown.level().map_or_else(String::new, |z| format!(", at z = {}", millimetres(z)));
             header.with(&format!(
-                "{moves} {}, straight {}, {}",
+                "{moves} {}{level}, straight {}, {}",
                 millimetres(length),
                 millimetres(straight),
                 clearance(scene)
@@ -49,6 +50,7 @@ pub(super) fn header(scene: &Scene, shown: &Shown<'_>, title: &str) -> Header {
 pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
     let barriers = scene.obstacles.iter().any(|obstacle| scene.clearance_of(obstacle) > 0.0)
         || scene.work_area.is_some() && scene.border_clearance() > 0.0;
+    let passed = scene.obstacles.iter().any(|obstacle| shown.passes_over(scene, obstacle));
     let parted = matches!(shown, Shown::NoPath { .. });
     let ends = shown.ends();
     let end_at = |name: &str, place: fn(&(Point, Point)) -> Point| match &ends[..] {
@@ -58,6 +60,7 @@ pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
     let entries = [
         (scene.work_area.is_some(), Sign::Line("border"), String::from("work area")),
         (!scene.obstacles.is_empty(), Sign::Field("obstacle"), String::from("obstacle")),
+        (passed, Sign::Field("obstacle passed"), String::from("passed over")),
         (barriers, Sign::Field("zone"), String::from("barrier")),
         (parted, Sign::Field("obstacle parts"), String::from("parts start from target")),
         (!shown.paths().is_empty(), Sign::Line("rapid"), String::from("rapid move")),

@@ -2,7 +2,8 @@
 
 use super::frame::{Frame, MARGIN};
 use super::style::SMALL;
-use super::text::{push_text, round_millimetres};
+use super::text::round_millimetres;
+use super::text_line::push_text;
 use std::fmt::Write;
 
 /// Width of the bar at most, canvas units.

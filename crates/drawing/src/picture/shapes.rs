@@ -5,7 +5,7 @@ use super::frame::{Box2, Frame};
 use super::outline::polygon_data;
 use super::square_cut;
 use super::style::BARRIER_LINE;
-use super::text::escaped;
+use super::text::{escaped, millimetres};
 use std::fmt::Write;
 use traverse_geometry::{CornerStyle, MITER_RATIO_LIMIT, Polygon, Scene, WORK_AREA_ID};
 
@@ -25,6 +25,8 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
             rect(&frame.area, " class=\"outside\"")
         );
     }
+    let passed: Vec<bool> =
+        scene.obstacles.iter().map(|obstacle| shown.passes_over(scene, obstacle)).collect();
     let mitred = scene.corner_style != CornerStyle::Round;
     if border.is_none() && mitred {
         // Control points may lie far outside.
@@ -37,7 +39,8 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
         // Where the tool may not be at all, barriers say nothing.
         let clip = if border.is_some() || mitred { " clip-path=\"url(#work-area)\"" } else { "" };
         let _ = writeln!(svg, "<g class=\"{class}\"{}{clip}>", joins(scene.corner_style));
-        for (obstacle, data) in scene.obstacles.iter().zip(&obstacles) {
+        let gone_round = scene.obstacles.iter().zip(&obstacles).zip(&passed).filter(|(_, passed)| !**passed);
+        for ((obstacle, data), _) in gone_round {
             let clearance = scene.clearance_of(obstacle);
             stroke(svg, data, 2.0 * clearance * frame.scale, rim);
             let rings = obstacle.shape.region_left_rings();
@@ -54,9 +57,15 @@ pub(super) fn draw(svg: &mut String, scene: &Scene, shown: &Shown<'_>, frame: &F
         svg.push_str("</g>\n");
     }
     svg.push_str(if fine { "<g class=\"fine\">\n" } else { "<g>\n" });
-    for (obstacle, data) in scene.obstacles.iter().zip(&obstacles) {
-        let class = if shown.parts(&obstacle.id) { "obstacle parts" } else { "obstacle" };
-        let id = escaped(&obstacle.id);
+    for ((obstacle, data), passed) in scene.obstacles.iter().zip(&obstacles).zip(&passed) {
+        let class = match (shown.parts(&obstacle.id), passed) {
+            (true, _) => "obstacle parts",
+            (false, true) => "obstacle passed",
+            (false, false) => "obstacle",
+        };
+        let top =
+            obstacle.top_z_mm.map_or_else(String::new, |top| format!(", top at z = {}", millimetres(top)));
+        let id = escaped(&format!("{}{top}", obstacle.id));
         let _ = writeln!(svg, "<path class=\"{class}\" d=\"{data}\"><title>{id}</title></path>");
     }
     svg.push_str("</g>\n");

@@ -1,6 +1,9 @@
 //! What a picture of a plan shows besides the scene.
 
-use traverse_geometry::{Path, Point};
+use traverse_geometry::{Obstacle, Path, Point, Ring, Scene};
+
+/// What comes nearer than the clearance by less than this touches the barrier, millimetres.
+const TOUCH_MM: f64 = 1e-3;
 
 /// What a picture shows besides the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +56,33 @@ impl<'a> Shown<'a> {
             Self::NoPath { start, target, .. } => vec![(start, target)],
             _ => self.paths().iter().map(|path| (path.start, path.end())).collect(),
         }
+    }
+
+    /// Whether a move passes over the obstacle: not below its top, and where its barrier would be.
+    pub(super) fn passes_over(&self, scene: &Scene, obstacle: &Obstacle) -> bool {
+        let Some(top) = obstacle.top_z_mm else { return false };
+        let reach = scene.clearance_of(obstacle) - TOUCH_MM;
+        let bounds = obstacle.shape.bounds().grown(reach.max(0.0));
+        self.paths().iter().any(|path| {
+            let mut from = path.start_z_mm;
+            path.edges().zip(&path.steps).any(|(edge, step)| {
+                let below = std::mem::replace(&mut from, step.z_mm);
+                let above = below.zip(step.z_mm).is_some_and(|(from, to)| from.min(to) >= top);
+                let near = || {
+                    let border = obstacle.shape.rings().flat_map(Ring::edges);
+                    obstacle.shape.contains(edge.start())
+                        || border.map(|other| other.distance(&edge)).any(|distance| distance < reach)
+                };
+                above && edge.bounds().meets(&bounds) && near()
+            })
+        })
+    }
+
+    /// The height at which the only move travels, where it has heights.
+    pub(super) fn level(&self) -> Option<f64> {
+        let [path] = self.paths() else { return None };
+        let heights = path.steps.iter().map(|step| step.z_mm).chain([path.start_z_mm]);
+        heights.flatten().max_by(f64::total_cmp)
     }
 
     /// Whether the obstacle parts start from target.

@@ -14,7 +14,7 @@ pub(super) const LARGE: f64 = 27.0;
 /// Weight of the barrier's outline.
 pub(super) const BARRIER_LINE: f64 = 1.3;
 
-const SHEET: &str = "
+pub(super) const SHEET: &str = "
 text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font-size:21px;font-kerning:none;fill:#1c2733}
 .title{font-size:27px;font-weight:bold}
 .alert{font-weight:bold;fill:#a3120a}
@@ -35,6 +35,7 @@ text{font-family:Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif;font
 .obstacle{fill:url(#hatch);fill-rule:evenodd;stroke:#39434e;stroke-width:1.8;stroke-linejoin:round}
 .fine .obstacle{stroke-width:.7}
 .obstacle.parts{fill:url(#cross);stroke:#a3120a;stroke-width:3}
+.obstacle.passed{fill-opacity:.35;stroke-dasharray:6 4}
 .casing{fill:none;stroke:#fff;stroke-width:9;stroke-linecap:round;stroke-linejoin:round}
 .casing.thin{stroke-width:6}
 .before{fill:none;stroke:#5c6670;stroke-width:2.2;stroke-dasharray:5 5;stroke-linejoin:round}

@@ -1,7 +1,5 @@
 //! Text in SVG: escaping, measuring, numbers.
 
-use std::fmt::Write;
-
 /// The text with what XML reserves escaped and what it forbids replaced.
 pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -91,11 +89,6 @@ pub(super) fn wrapped(text: &str, size: f64, weight: Weight, width: f64, most_li
     lines
 }
 
-/// A text element. `class` names its style.
-pub(super) fn push_text(svg: &mut String, class: &str, x: f64, y: f64, text: &str) {
-    let _ = writeln!(svg, "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", escaped(text));
-}
-
 /// Millimetres with three digits after the point, without the zeros at the end.
 pub(super) fn millimetres(value: f64) -> String {
     let text = format!("{value:.3}");
@@ -112,8 +105,9 @@ pub(super) fn round_millimetres(value: f64) -> String {
 #[cfg(test)]
 #[allow(clippy::panic, reason = "a test fails by panicking")]
 mod tests {
-    use super::{Weight, escaped, fitted, round_millimetres, width_of, wrapped};
-    use resvg::usvg::{Node, Tree};
+    use super::{Weight, fitted, round_millimetres, width_of, wrapped};
+    use crate::picture::Lettering;
+    use crate::png::width_of as width_in_font;
 
     /// The widths are upper bounds for the font of PNG pictures, and near ones.
     #[test]
@@ -126,18 +120,9 @@ mod tests {
             String::from("rapid move 12.345 mm, AVAVA"),
         ]);
         for text in texts {
-            for (weight, style) in [(Weight::Regular, "normal"), (Weight::Bold, "bold")] {
-                let svg = format!(
-                    "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><text xml:space='preserve' \
-                     style='font-family:sans-serif;font-size:100px;font-weight:{style};font-kerning:none'>{}</text></svg>",
-                    escaped(&text)
-                );
-                let tree = Tree::from_str(&svg, &crate::png::options()).expect("well-formed");
-                let Some(Node::Text(drawn)) = tree.root().children().first() else {
-                    panic!("no text: {text}")
-                };
-                let (drawn, measured) =
-                    (f64::from(drawn.bounding_box().width()), width_of(&text, 100.0, weight));
+            for (weight, bold) in [(Weight::Regular, false), (Weight::Bold, true)] {
+                let drawn = width_in_font(&text, &Lettering { size: 100.0, bold, centred: false });
+                let measured = width_of(&text, 100.0, weight);
                 assert!(drawn <= measured + 0.1, "{text} {weight:?}: {drawn} {measured}");
                 assert!(!text.is_ascii() || measured <= 1.1 * drawn, "{text} {weight:?}: {drawn} {measured}");
             }

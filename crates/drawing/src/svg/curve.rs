@@ -95,7 +95,7 @@ fn mapped_arc(arc: &EllipticArc, to_mm: &Affine) -> EllipticArc {
 }
 
 fn fitted(
-    curve: &dyn Smooth,
+    curve: &impl Smooth,
     tolerance_mm: f64,
     budget: &Budget,
     exact_end: Option<Point>,

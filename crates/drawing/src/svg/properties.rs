@@ -3,9 +3,18 @@
 use super::element::Element;
 use super::style_sheet::StyleSheet;
 
-/// The properties that matter here, by name.
-const READ: [&str; 8] =
-    ["fill", "stroke", "color", "display", "visibility", "clip-path", "mask", "transform"];
+/// The properties that matter here and may be attributes, by name. `transform` is read apart.
+const READ: [&str; 9] = [
+    "fill",
+    "stroke",
+    "color",
+    "display",
+    "visibility",
+    "clip-path",
+    "mask",
+    "transform-origin",
+    "transform-box",
+];
 
 /// What it costs to look at a rule, in bytes of text gone through.
 const RULE_BYTES: usize = 32;
@@ -22,6 +31,8 @@ pub(super) struct Properties<'a> {
     pub(super) mask: Option<&'a str>,
     /// Said in a style, not in the attribute of that name.
     pub(super) style_transform: Option<&'a str>,
+    pub(super) transform_origin: Option<&'a str>,
+    pub(super) transform_box: Option<&'a str>,
 }
 
 impl<'a> Properties<'a> {
@@ -29,7 +40,7 @@ impl<'a> Properties<'a> {
     /// of the sheet overrule all. With it, how many bytes of rules were gone through.
     pub(super) fn of(element: &Element<'a>, sheet: &StyleSheet<'a>) -> (Self, usize) {
         let mut properties = Self::default();
-        for name in READ.iter().filter(|&&name| name != "transform") {
+        for name in READ {
             properties.set(name, element.attribute(name));
         }
         let (rules, looked_at) = sheet.rules_for(element);
@@ -69,6 +80,8 @@ impl<'a> Properties<'a> {
             "clip-path" => &mut self.clip_path,
             "mask" => &mut self.mask,
             "transform" => &mut self.style_transform,
+            "transform-origin" => &mut self.transform_origin,
+            "transform-box" => &mut self.transform_box,
             _ => return,
         };
         *place = Some(value);

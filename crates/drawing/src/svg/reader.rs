@@ -11,7 +11,7 @@ use super::style_sheet::{StyleSheet, without_comments};
 use super::unused_count::UnusedCount;
 use super::walk::{LayerFrom, Surroundings, Walk};
 use crate::read_drawing::bytes_up_to_limit;
-use crate::sniff::looks_like;
+use crate::sniff::{Looks, looks_like};
 use crate::{Drawing, ReadError, ReadOptions};
 use roxmltree::{Document, ParsingOptions};
 use std::collections::HashMap;
@@ -51,7 +51,7 @@ pub fn read_svg(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
         roxmltree::Error::NodesLimitReached => ReadError::TooManyEntities { limit: options.entity_limit },
         error => ReadError::Malformed { line: error.pos().row as usize, message: error.to_string() },
     })?;
-    let not_svg = || ReadError::NotSvg { found: looks_like(bytes) };
+    let not_svg = || ReadError::NotSvg { found: looks_like(bytes).name() };
     let root = Element::of(document.root_element()).ok_or_else(not_svg)?;
     if root.tag() != "svg" {
         return Err(not_svg());
@@ -98,13 +98,13 @@ pub fn read_svg_from(reader: impl Read, options: &ReadOptions) -> Result<Drawing
 
 /// The text, when it begins as XML does.
 fn decoded_xml(bytes: &[u8]) -> Result<std::borrow::Cow<'_, str>, ReadError> {
-    let not_svg = Err(ReadError::NotSvg { found: looks_like(bytes) });
+    let not_svg = Err(ReadError::NotSvg { found: looks_like(bytes).name() });
     let starts = |text: &[u8]| text.trim_ascii_start().starts_with(b"<");
     let marked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if marked.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
-    if !super::is_utf16(bytes) && (!starts(marked) || looks_like(bytes) == "a web page (HTML)") {
+    if !super::is_utf16(bytes) && (!starts(marked) || looks_like(bytes) == Looks::WebPage) {
         return not_svg;
     }
     let text = decoded(bytes)?;

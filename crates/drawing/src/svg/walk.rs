@@ -9,6 +9,7 @@ use super::properties::Properties;
 use super::shapes::{SHAPES, outlines};
 use super::style::Style;
 use super::style_sheet::StyleSheet;
+use super::transform::transform;
 use super::unused_count::UnusedCount;
 use super::viewport::{into_box, view_box};
 use crate::{Curve, ReadError, ReadOptions, Source, WhyUnused};
@@ -99,10 +100,11 @@ impl<'a> Walk<'a> {
     pub(super) fn outermost(&mut self, root: Element<'a>, around: &Surroundings) -> Result<(), ReadError> {
         let mut here = *around;
         self.budget.bytes(root.attribute_bytes())?;
-        if self.take_looks(&root, &mut here)? {
+        let looks = self.take_looks(&root, &mut here)?;
+        if looks.is_clipped() {
             self.unused.add(here.layer, root.tag(), WhyUnused::Clipped);
         }
-        here.to_mm = here.to_mm.after(&transform(&root)?);
+        here.to_mm = here.to_mm.after(&transform(&root, &looks, &here.lengths)?);
         self.children(&root, &here, 1)
     }
 
@@ -123,7 +125,7 @@ impl<'a> Walk<'a> {
         }
         self.budget.bytes(element.attribute_bytes())?;
         let mut here = *around;
-        let is_clipped = self.take_looks(&element, &mut here)?;
+        let looks = self.take_looks(&element, &mut here)?;
         let draws = SHAPES.contains(&tag);
         if !draws && !GROUPS.contains(&tag) && tag != "use" {
             let why = if !here.is_seen() {
@@ -140,10 +142,10 @@ impl<'a> Walk<'a> {
             self.unused.add(here.layer, tag, WhyUnused::Hidden);
             return Ok(());
         }
-        if is_clipped && !here.hidden {
+        if looks.is_clipped() && !here.hidden {
             self.unused.add(here.layer, tag, WhyUnused::Clipped);
         }
-        here.to_mm = here.to_mm.after(&transform(&element)?);
+        here.to_mm = here.to_mm.after(&transform(&element, &looks, &here.lengths)?);
         match tag {
             "use" => self.used(&element, here, depth),
             "svg" => self.page(&element, None, here, depth),
@@ -152,16 +154,17 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Reads the style of an element; says whether it is clipped.
-    fn take_looks(&mut self, element: &Element<'a>, here: &mut Surroundings) -> Result<bool, ReadError> {
+    /// Reads the style of an element, for what is inside it too; gives what is said of the element itself.
+    fn take_looks(
+        &mut self,
+        element: &Element<'a>,
+        here: &mut Surroundings,
+    ) -> Result<Properties<'a>, ReadError> {
         let (properties, bytes) = Properties::of(element, &self.sheet);
         self.budget.bytes(bytes)?;
         here.style = here.style.of_child(&properties);
         here.hidden |= properties.display == Some("none");
-        if let Some(text) = properties.style_transform.filter(|&text| text != "none") {
-            return Err(element.bad("style", text, "a transform is read as an attribute only"));
-        }
-        Ok(properties.is_clipped())
+        Ok(properties)
     }
 
     /// A group and what is inside it.
@@ -241,10 +244,11 @@ impl<'a> Walk<'a> {
             if depth >= DEEPEST {
                 return Err(ReadError::TooDeep { limit: DEEPEST, line: user.line() });
             }
-            if self.take_looks(&target, &mut here)? {
+            let looks = self.take_looks(&target, &mut here)?;
+            if looks.is_clipped() {
                 self.unused.add(here.layer, target.tag(), WhyUnused::Clipped);
             }
-            here.to_mm = here.to_mm.after(&transform(&target)?);
+            here.to_mm = here.to_mm.after(&transform(&target, &looks, &here.lengths)?);
             self.page(&target, Some(user), here, depth + 1)?;
         } else {
             self.element(target, &here, depth + 1)?;
@@ -290,14 +294,6 @@ impl Surroundings {
     fn is_seen(&self) -> bool {
         self.style.visible && !self.hidden
     }
-}
-
-fn transform(element: &Element<'_>) -> Result<Affine, ReadError> {
-    let Some(text) = element.attribute("transform") else { return Ok(Affine::translation(0.0, 0.0)) };
-    if let Some(origin) = element.attribute("transform-origin") {
-        return Err(element.bad("transform-origin", origin, "transforms are read about the origin only"));
-    }
-    Affine::parse(text).map_err(|error| element.bad("transform", text, error))
 }
 
 /// Whether a `switch` would choose this element: it asks for no extension and no language but English.

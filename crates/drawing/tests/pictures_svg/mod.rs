@@ -2,43 +2,51 @@
 
 #![allow(dead_code, reason = "each test uses its part")]
 
-use resvg::usvg::{Group, Node, Options, Tree};
-use std::sync::Arc;
 use traverse_geometry::{Edge, Point};
+use ttf_parser::Face;
 
 /// A text with its box: left, top, right, bottom.
 pub(crate) type TextBox = (String, [f64; 4]);
 
-fn options() -> Options<'static> {
-    let mut options = Options { font_family: String::from("DejaVu Sans"), ..Options::default() };
-    let fonts = Arc::make_mut(&mut options.fontdb);
-    for name in ["DejaVuSans.subset.ttf", "DejaVuSans-Bold.subset.ttf"] {
-        let file = format!("{}/fonts/{name}", env!("CARGO_MANIFEST_DIR"));
-        fonts.load_font_data(std::fs::read(file).unwrap());
-    }
-    fonts.set_sans_serif_family("DejaVu Sans");
-    options
+/// What the style sheet says of a property, for an element `text` of these classes: the last rule that says it.
+fn said<'a>(sheet: &'a str, classes: &str, property: &str) -> Option<&'a str> {
+    let selects = |selector: &str| {
+        selector == "text" || classes.split(' ').any(|class| selector.strip_prefix('.') == Some(class))
+    };
+    let rules = sheet.split('}').filter_map(|rule| rule.trim().split_once('{'));
+    let rules = rules.filter(|(selectors, _)| selectors.split(',').any(selects));
+    let declarations = rules.flat_map(|(_, declarations)| declarations.split(';'));
+    declarations
+        .filter_map(|each| each.split_once(':'))
+        .rfind(|(name, _)| *name == property)
+        .map(|(_, value)| value)
 }
 
-/// Every text of the picture.
+/// Every text of the picture, as high as its font is.
 pub(crate) fn text_boxes(svg: &str) -> Vec<TextBox> {
-    fn collect(group: &Group, boxes: &mut Vec<TextBox>) {
-        for node in group.children() {
-            match node {
-                Node::Group(group) => collect(group, boxes),
-                Node::Text(text) => {
-                    let drawn = text.abs_bounding_box();
-                    let sides = [drawn.left(), drawn.top(), drawn.right(), drawn.bottom()].map(f64::from);
-                    let said = text.chunks().iter().map(|chunk| chunk.text().to_owned()).collect();
-                    boxes.push((said, sides));
-                }
-                _ => {}
-            }
-        }
-    }
-    let mut boxes = Vec::new();
-    collect(Tree::from_str(svg, &options()).unwrap().root(), &mut boxes);
-    boxes
+    let [regular, bold] = ["DejaVuSans.subset.ttf", "DejaVuSans-Bold.subset.ttf"]
+        .map(|name| std::fs::read(format!("{}/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap());
+    let [regular, bold] = [&regular, &bold].map(|bytes| Face::parse(bytes, 0).unwrap());
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let named =
+        |name: &'static str| document.descendants().filter(move |node| node.tag_name().name() == name);
+    let sheet = named("style").next().and_then(|style| style.text()).unwrap();
+    let text_box = |node: roxmltree::Node<'_, '_>| {
+        let classes = node.attribute("class").unwrap();
+        let face = if said(sheet, classes, "font-weight") == Some("bold") { &bold } else { &regular };
+        let size: f64 =
+            said(sheet, classes, "font-size").unwrap().strip_suffix("px").unwrap().parse().unwrap();
+        let scale = size / f64::from(face.units_per_em());
+        let text = node.text().unwrap_or_default().to_owned();
+        let glyphs = text.chars().map(|c| face.glyph_index(c).unwrap_or_default());
+        let width: f64 = glyphs.map(|glyph| scale * f64::from(face.glyph_hor_advance(glyph).unwrap())).sum();
+        let place = |name| node.attribute(name).unwrap().parse::<f64>().unwrap();
+        let centred = said(sheet, classes, "text-anchor") == Some("middle");
+        let left = place("x") - if centred { width / 2.0 } else { 0.0 };
+        let above = |height: i16| place("y") - scale * f64::from(height);
+        (text, [left, above(face.ascender()), left + width, above(face.descender())])
+    };
+    named("text").map(text_box).collect()
 }
 
 /// The paths of one of these classes, as chords.

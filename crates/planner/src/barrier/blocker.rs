@@ -9,7 +9,7 @@ pub(crate) struct Blocker {
     pub(crate) edge: Edge,
     /// A move nearer than this collides, millimetres, positive: half a contact tolerance less than asked for.
     pub(crate) limit: f64,
-    /// Whose barrier it belongs to: index of the obstacle, or the count of obstacles for the work area.
+    /// Whose barrier it belongs to: see [`crate::barriers`].
     pub(crate) owner: usize,
 }
 

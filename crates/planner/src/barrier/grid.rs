@@ -70,6 +70,12 @@ struct Entry {
     next: u32,
 }
 
+impl Default for Grid {
+    fn default() -> Self {
+        Self::new(&Load::NONE)
+    }
+}
+
 impl Grid {
     /// An empty grid for such a load.
     pub(crate) fn new(load: &Load) -> Self {
@@ -104,6 +110,48 @@ impl Grid {
             entries: Vec::new(),
             outside: Vec::new(),
         }
+    }
+
+    /// An empty grid of the same cells.
+    pub(crate) fn same_cells(&self) -> Self {
+        Self { first: vec![NONE; self.first.len()], entries: Vec::new(), outside: Vec::new(), ..*self }
+    }
+
+    /// Columns and rows.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.columns, self.rows]
+    }
+
+    /// Width and height of a cell.
+    pub(crate) fn cell(&self) -> Vector {
+        self.cell
+    }
+
+    /// The middle of a cell; columns and rows may lie beyond the grid's.
+    pub(crate) fn middle(&self, column: i64, row: i64) -> Point {
+        self.min + Vector::new((column as f64 + 0.5) * self.cell.x, (row as f64 + 0.5) * self.cell.y)
+    }
+
+    /// The column and row of a point, which may lie beyond the grid's.
+    pub(crate) fn cell_at(&self, p: Point) -> [i64; 2] {
+        let by = (p - self.min).component_mul(&self.per_cell);
+        // A cast from a float saturates.
+        [by.x.floor() as i64, by.y.floor() as i64]
+    }
+
+    /// Items that reach beyond the cells.
+    pub(crate) fn outside(&self) -> &[u32] {
+        &self.outside
+    }
+
+    /// The items of a cell of the grid, some of them more than once.
+    pub(crate) fn items(&self, column: usize, row: usize) -> impl Iterator<Item = u32> {
+        let mut at = self.first[row * self.columns + column];
+        std::iter::from_fn(move || {
+            let entry = self.entries.get(at as usize)?;
+            at = entry.next;
+            Some(entry.item)
+        })
     }
 
     /// Adds the thick segment from `from` to `to` as `item`; an item may be added in several pieces.

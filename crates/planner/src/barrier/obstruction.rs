@@ -22,6 +22,7 @@ const RUN_LENGTH: usize = 8;
 const RUN_CELLS: f64 = 16.0;
 
 /// Blockers in a bucket grid. Building is linear; a query looks at what lies along it.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Obstruction {
     blockers: Vec<Blocker>,
     runs: Vec<Run>,
@@ -29,16 +30,18 @@ pub(crate) struct Obstruction {
 }
 
 /// Neighbouring blockers: what the grid holds.
-#[derive(Clone, Copy)]
-struct Run {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
     first: u32,
     end: u32,
+    /// The blocker that follows on the same chain.
+    following: u32,
     /// What they can reach.
     bounds: Bounds,
 }
 
 impl Obstruction {
-    /// All of `blockers`; `ends` says where each chain of neighbours ends.
+    /// All of `blockers`; `ends` says where each closed chain of neighbours ends.
     ///
     /// # Errors
     /// The budget ended.
@@ -47,19 +50,14 @@ impl Obstruction {
         let mut runs: Vec<(Run, f64)> = Vec::with_capacity(ends.len() + blockers.len() / RUN_LENGTH);
         let mut first = 0;
         for &end in ends {
-            while first < end {
-                let run_end = end.min(first + RUN_LENGTH);
+            for (run, reach) in runs_of(&blockers, first, end) {
                 if runs.len().is_multiple_of(RUNS_BETWEEN_CHECKS) {
                     budget.check(0)?;
                 }
-                let part = &blockers[first..run_end];
-                let bounds =
-                    part.iter().fold(Bounds::EMPTY, |bounds, blocker| bounds.union(blocker.edge.bounds()));
-                let reach = part.iter().fold(0.0_f64, |reach, blocker| reach.max(blocker.limit));
-                load.add(&bounds, reach);
-                runs.push((Run { first: first as u32, end: run_end as u32, bounds }, reach));
-                first = run_end;
+                load.add(&run.bounds, reach);
+                runs.push((run, reach));
             }
+            first = end;
         }
         let grid = Grid::new(&load);
         let mut obstruction = Self { blockers, runs: Vec::with_capacity(runs.len()), grid };
@@ -70,6 +68,39 @@ impl Obstruction {
             obstruction.insert(run, reach);
         }
         Ok(obstruction)
+    }
+
+    /// Adds a closed chain of blockers; answers their numbers.
+    pub(crate) fn push_chain(&mut self, chain: &[Blocker]) -> std::ops::Range<usize> {
+        let first = self.blockers.len();
+        self.blockers.extend_from_slice(chain);
+        let end = self.blockers.len();
+        for (run, reach) in runs_of(&self.blockers, first, end).collect::<Vec<_>>() {
+            self.insert(run, reach);
+        }
+        first..end
+    }
+
+    /// The grid that it stands in.
+    pub(crate) fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// Blockers by number.
+    pub(crate) fn blockers(&self, numbers: std::ops::Range<usize>) -> &[Blocker] {
+        &self.blockers[numbers]
+    }
+
+    /// The owner of a run of the grid.
+    pub(crate) fn owner_of_run(&self, run: u32) -> usize {
+        self.blockers[self.runs[run as usize].first as usize].owner
+    }
+
+    /// The edges of a run of the grid and the one that follows, so that neighbouring runs overlap.
+    pub(crate) fn chain_of_run(&self, run: u32) -> impl Iterator<Item = &Edge> {
+        let run = &self.runs[run as usize];
+        let numbers = (run.first..run.end).chain([run.following]);
+        numbers.map(|number| &self.blockers[number as usize].edge)
     }
 
     fn insert(&mut self, run: Run, reach: f64) {
@@ -83,7 +114,8 @@ impl Obstruction {
             let (item, grid) = (self.runs.len() as u32, &mut self.grid);
             pieces(blocker, |from, to, reach| grid.insert(item, from, to, reach));
             let bounds = blocker.edge.bounds().grown(blocker.limit);
-            self.runs.push(Run { first, end: first + 1, bounds });
+            let following = if first + 1 == run.end { run.following } else { first + 1 };
+            self.runs.push(Run { first, end: first + 1, following, bounds });
         }
     }
 
@@ -143,6 +175,18 @@ impl Obstruction {
         let blockers = |run: &Run| &self.blockers[run.first as usize..run.end as usize];
         items.into_iter().flat_map(move |item| blockers(&self.runs[item as usize]))
     }
+}
+
+/// The runs of the closed chain of blockers from `first` to `end`, each with the reach of its blockers.
+fn runs_of(blockers: &[Blocker], first: usize, end: usize) -> impl Iterator<Item = (Run, f64)> {
+    (first..end).step_by(RUN_LENGTH).map(move |run| {
+        let run_end = end.min(run + RUN_LENGTH);
+        let part = &blockers[run..run_end];
+        let bounds = part.iter().fold(Bounds::EMPTY, |bounds, blocker| bounds.union(blocker.edge.bounds()));
+        let reach = part.iter().fold(0.0_f64, |reach, blocker| reach.max(blocker.limit));
+        let following = if run_end == end { first } else { run_end } as u32;
+        (Run { first: run as u32, end: run_end as u32, following, bounds }, reach)
+    })
 }
 
 /// The thick segments that hold all that a blocker forbids.

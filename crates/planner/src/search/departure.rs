@@ -3,6 +3,7 @@
 use super::Tangent;
 use super::settled::Lane;
 use crate::barrier::Feature;
+use crate::prepared::Link;
 use traverse_geometry::{Vector, cross};
 
 /// A label at a feature, about to leave it.
@@ -35,6 +36,14 @@ impl Departure {
         let back = (self.offset - left) * sign;
         let is_rounding = back > 0.0 && back <= plan.angle_error.max(self.circle.offset_tolerance());
         let left = if is_rounding { self.offset } else { left };
+        self.reaches(left).then_some(left)
+    }
+
+    /// The offset at which `link` leaves the feature, if the free way along the arc leads there.
+    pub(super) fn leaves_along(&self, link: &Link) -> Option<f64> {
+        let back = (self.offset - link.left_at) * self.lane.side.sign();
+        let is_rounding = back > 0.0 && back <= link.angle_error().max(self.circle.offset_tolerance());
+        let left = if is_rounding { self.offset } else { link.left_at };
         self.reaches(left).then_some(left)
     }
 

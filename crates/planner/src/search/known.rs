@@ -1,13 +1,14 @@
 //! The barriers that a search has met so far. Those that it has not met bend no path; they block all the same.
 
+use super::circles::Circles;
 use super::sector::Sector;
+use super::{Ground, Stretches};
 use crate::barrier::Feature;
-use crate::barriers::Barriers;
-use rustc_hash::FxHashMap;
+use crate::barriers::{Barriers, Marks};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Segment, Vector};
+use traverse_geometry::{Point, Segment};
 use traverse_solve::{Budget, Interrupt};
 
 /// The budget is looked at once for so many features.
@@ -16,26 +17,17 @@ const FEATURES_BETWEEN_CHECKS: usize = 4096;
 /// A scene's barriers, or some of them, and which of these were met.
 pub(crate) struct Known<'a> {
     barriers: &'a Barriers<'a>,
-    /// Per owner whether it is there at all.
-    there: Vec<bool>,
-    /// Per owner whether it was met.
-    met: Vec<bool>,
+    /// Owners that are there at all.
+    there: Marks,
+    /// Owners that were met.
+    met: Marks,
     /// Features of what was met.
     pub(crate) features: Vec<Feature>,
     /// Their directions, for the quick test.
     sectors: Vec<Sector>,
     /// Per feature the stretches of its range that nothing blocks, worked out when first asked for.
     free: Vec<OnceCell<Stretches>>,
-    /// The last feature of each millimetre square that a centre lies in, and for every feature the one before it in
-    /// its square.
-    last_in: FxHashMap<[i64; 2], usize>,
-    before_in_square: Vec<Option<usize>>,
-}
-
-/// The stretches of a feature's range that no barrier blocks, in order, and whose barriers block the rest.
-pub(crate) struct Stretches {
-    pub(crate) free: Vec<(f64, f64)>,
-    pub(crate) blocked_by: Vec<usize>,
+    circles: Circles,
 }
 
 /// A barrier that was just met.
@@ -59,34 +51,26 @@ pub(crate) enum Way {
 impl<'a> Known<'a> {
     /// Nothing met yet. `left_out` is taken for not there.
     pub(crate) fn new(barriers: &'a Barriers<'a>, left_out: &BTreeSet<usize>) -> Self {
-        let owners = barriers.owner_count();
+        let mut there = barriers.there();
+        left_out.iter().for_each(|&owner| there.set(owner, false));
         Self {
             barriers,
-            there: (0..owners).map(|owner| !left_out.contains(&owner)).collect(),
-            met: vec![false; owners],
+            there,
+            met: Marks::of(barriers.scene.obstacles.len(), false),
             features: Vec::new(),
             sectors: Vec::new(),
             free: Vec::new(),
-            last_in: FxHashMap::default(),
-            before_in_square: Vec::new(),
+            circles: Circles::default(),
         }
     }
 
     /// Owners of the barriers that were met.
     pub(crate) fn met(&self) -> impl Iterator<Item = usize> {
-        self.met.iter().enumerate().filter(|&(_, met)| *met).map(|(owner, _)| owner)
+        self.barriers.owners().filter(|&owner| self.met.has(owner))
     }
 
     pub(crate) fn was_met(&self, owner: usize) -> bool {
-        self.met[owner]
-    }
-
-    pub(crate) fn feature(&self, feature: u32) -> &Feature {
-        &self.features[feature as usize]
-    }
-
-    pub(super) fn sector(&self, feature: u32) -> &Sector {
-        &self.sectors[feature as usize]
+        self.met.has(owner)
     }
 
     /// Meets the owner's barrier.
@@ -95,7 +79,7 @@ impl<'a> Known<'a> {
     /// The budget ended.
     pub(crate) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<Met, Interrupt> {
         let first = self.features.len();
-        self.met[owner] = true;
+        self.met.set(owner, true);
         for outline in self.barriers.outlines(owner) {
             outline.add_features(&mut self.features, budget)?;
         }
@@ -104,8 +88,7 @@ impl<'a> Known<'a> {
                 budget.check(0)?;
             }
             self.sectors.push(Sector::of(&self.features[feature]));
-            let before = self.last_in.insert(square_of(self.features[feature].center), feature);
-            self.before_in_square.push(before);
+            self.circles.push(&self.features[feature]);
         }
         self.free.resize_with(self.features.len(), OnceCell::new);
         let features = first..self.features.len();
@@ -121,11 +104,11 @@ impl<'a> Known<'a> {
         }
         let mut met = false;
         let mut nearest: Option<(f64, usize)> = None;
-        self.barriers.whole.blocking(&Segment::new(from, to), |blocker| {
-            if !self.there[blocker.owner] {
+        self.barriers.blocking(&Segment::new(from, to), |blocker| {
+            if !self.there.has(blocker.owner) {
                 return ControlFlow::Continue(());
             }
-            if self.met[blocker.owner] {
+            if self.met.has(blocker.owner) {
                 met = true;
                 return ControlFlow::Break(());
             }
@@ -141,93 +124,36 @@ impl<'a> Known<'a> {
             None => Way::Free,
         }
     }
+}
 
-    /// The feature's stretches that no barrier blocks, met or not.
-    pub(crate) fn stretches(&self, feature: u32) -> &Stretches {
+impl Ground for Known<'_> {
+    fn feature(&self, feature: u32) -> &Feature {
+        &self.features[feature as usize]
+    }
+
+    fn sector(&self, feature: u32) -> &Sector {
+        &self.sectors[feature as usize]
+    }
+
+    /// Worked out when first asked for, against all barriers, met or not.
+    fn stretches(&self, feature: u32) -> &Stretches {
         self.free[feature as usize].get_or_init(|| {
             let feature = &self.features[feature as usize];
             // A control point is no arc: whether it can be passed is decided by the moves that meet there.
             if feature.plan_radius == 0.0 {
-                return Stretches { free: vec![(0.0, feature.sweep)], blocked_by: Vec::new() };
+                return Stretches::all(feature);
             }
-            let blocked = self.barriers.whole.blocked_offsets(feature);
-            free_of(feature, blocked.filter(|&(_, _, owner)| self.there[owner]).collect())
+            let blocked = self.barriers.blocked_offsets(feature);
+            Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)))
         })
     }
 
-    /// Whether the feature's stretches have been worked out.
-    pub(crate) fn knows_stretches(&self, feature: u32) -> bool {
+    fn knows_stretches(&self, feature: u32) -> bool {
         self.free[feature as usize].get().is_some()
     }
 
-    /// The free stretch of the feature that holds `offset`, if any.
-    pub(crate) fn stretch_at(&self, feature: u32, offset: f64) -> Option<usize> {
-        let tolerance = self.feature(feature).offset_tolerance();
-        self.stretches(feature)
-            .free
-            .iter()
-            .position(|&(from, to)| from - tolerance <= offset && offset <= to + tolerance)
+    fn on_same_circle(&self, feature: u32) -> impl Iterator<Item = u32> {
+        let near = self.circles.near(self.feature(feature));
+        near.filter(move |&other| other != feature && self.is_same_circle(feature, other))
     }
-
-    /// Other features on the same circle.
-    pub(crate) fn on_same_circle(&self, feature: u32) -> impl Iterator<Item = usize> {
-        let squares = squares_near(self.feature(feature).center);
-        let feature = feature as usize;
-        let last = squares.into_iter().flatten().filter_map(|square| self.last_in.get(&square).copied());
-        let all =
-            last.flat_map(|last| std::iter::successors(Some(last), |&other| self.before_in_square[other]));
-        all.filter(move |&other| other != feature && self.is_same_circle(feature, other))
-    }
-
-    fn is_same_circle(&self, one: usize, other: usize) -> bool {
-        let (a, b) = (&self.features[one], &self.features[other]);
-        a.plan_radius > 0.0
-            && (a.plan_radius - b.plan_radius).abs() < CONTACT_TOLERANCE_MM / 2.0
-            && (a.center - b.center).norm() < CONTACT_TOLERANCE_MM / 2.0
-    }
-
-    /// Whether a path passes from one feature to the other without a straight move.
-    pub(crate) fn goes_over(&self, one: u32, other: u32) -> bool {
-        let (one, other) = (one as usize, other as usize);
-        let feature = &self.features[one];
-        feature.after == Some(other) || feature.before == Some(other) || self.is_same_circle(one, other)
-    }
-}
-
-/// What `blocked` leaves of the feature's range.
-fn free_of(feature: &Feature, mut blocked: Vec<(f64, f64, usize)>) -> Stretches {
-    let mut blocked_by: Vec<usize> = blocked.iter().map(|&(_, _, owner)| owner).collect();
-    blocked_by.sort_unstable();
-    blocked_by.dedup();
-    blocked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut free = Vec::new();
-    let mut free_from = 0.0_f64;
-    for (from, to, _) in blocked {
-        if from >= free_from && (from > 0.0 || free_from > 0.0) {
-            free.push((free_from, from));
-        }
-        free_from = free_from.max(to);
-    }
-    if free_from < feature.sweep || (free_from == 0.0 && feature.sweep == 0.0) {
-        free.push((free_from, feature.sweep));
-    }
-    Stretches { free, blocked_by }
-}
-
-/// The millimetre square of a point.
-fn square_of(p: Point) -> [i64; 2] {
-    [p.x.floor() as i64, p.y.floor() as i64]
-}
-
-/// The squares in which a centre within half a contact tolerance of `center` may lie, each once.
-fn squares_near(center: Point) -> [Option<[i64; 2]>; 4] {
-    let by = Vector::new(CONTACT_TOLERANCE_MM, CONTACT_TOLERANCE_MM);
-    let ([left, low], [right, high]) = (square_of(center - by), square_of(center + by));
-    let (wide, tall) = (left < right, low < high);
-    [
-        Some([left, low]),
-        wide.then_some([right, low]),
-        tall.then_some([left, high]),
-        (wide && tall).then_some([right, high]),
-    ]
 }

@@ -3,7 +3,7 @@
 //! There are many of them, nearly all never looked into: a label holds what can't be worked out again from the one
 //! that it came from ([`super::Stance`]).
 
-use crate::barrier::Side;
+use crate::barrier::{Feature, Side};
 use traverse_geometry::Vector;
 
 /// Where a label is.
@@ -24,6 +24,8 @@ pub(crate) enum Step {
     Begin,
     /// Along a tangent.
     Tangent,
+    /// Along a tangent that is known to be free.
+    Link,
     /// Without a straight move: the feature before goes over into this one.
     Over,
 }
@@ -46,7 +48,7 @@ pub(crate) struct Label {
 /// One feature that a route bends round.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stop {
-    pub(crate) feature: usize,
+    pub(crate) circle: Feature,
     pub(crate) side: Side,
     /// Outward directions on the answered path at arrival and departure, and the angle turned between.
     pub(crate) spoke_in: Vector,

@@ -5,21 +5,30 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod circles;
 mod departure;
 mod end;
+mod ground;
 mod known;
 mod label;
 mod route;
 mod sector;
+mod seen;
 mod settled;
 mod shortest;
 mod stance;
 mod successors;
 mod tangent;
+mod tree;
 
+pub(crate) use circles::Circles;
 pub(crate) use end::End;
+pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;
 pub(crate) use label::Route;
+pub(crate) use sector::Sector;
+pub(crate) use seen::{Moves, SeenSearch};
 pub(crate) use shortest::Search;
 pub(crate) use tangent::Tangent;
+pub(crate) use tree::Room;

@@ -1,23 +1,24 @@
 //! The route that a label adds up to.
 
-use super::Search;
+use super::Ground;
 use super::label::{Label, Place, Route, Step, Stop};
 use super::stance::From;
+use super::tree::Tree;
 
 /// The way from the start to the label `last`.
-pub(super) fn route(search: &Search<'_>, last: &Label) -> Route {
+pub(super) fn route(tree: &Tree<'_>, ground: &impl Ground, last: &Label) -> Route {
     let mut stops = Vec::new();
     let mut label = *last;
     while label.step != Step::Begin {
-        let parent = &search.stances[label.parent as usize];
+        let parent = &tree.stances[label.parent as usize];
         if let (Place::Feature(feature, side), From::Feature(departure)) = (parent.label.place, &parent.from)
         {
-            let spoke_out = search.leg(&label).map_or_else(
+            let spoke_out = tree.leg(ground, &label).map_or_else(
                 || departure.circle.direction_at(label.left_at),
                 |leg| parent.from.spoke_along(&leg),
             );
             stops.push(Stop {
-                feature: feature as usize,
+                circle: *ground.feature(feature),
                 side,
                 spoke_in: departure.spoke,
                 spoke_out,

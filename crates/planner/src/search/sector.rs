@@ -15,7 +15,7 @@ const SLACK_MM: f64 = 1e-8;
 /// The directions of travel along one side of a circle, over a range of it. With the circle on the left they turn
 /// counter-clockwise from `first` to `last`; with the circle on the right the opposite ones do, the other way.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sector {
+pub(crate) struct Sector {
     center: Point,
     radius: f64,
     first: Vector,
@@ -26,12 +26,12 @@ pub(super) struct Sector {
 
 impl Sector {
     /// All of a feature's range.
-    pub(super) fn of(feature: &Feature) -> Self {
+    pub(crate) fn of(feature: &Feature) -> Self {
         Self::over(feature, 0.0, feature.sweep)
     }
 
     /// Every direction from a point.
-    pub(super) fn all_round(center: Point) -> Self {
+    pub(crate) fn all_round(center: Point) -> Self {
         Self { center, radius: 0.0, first: Vector::zeros(), last: Vector::zeros(), wide: true }
     }
 
@@ -43,7 +43,8 @@ impl Sector {
         }
     }
 
-    fn over(feature: &Feature, from: f64, to: f64) -> Self {
+    /// A part of a feature's range.
+    pub(crate) fn over(feature: &Feature, from: f64, to: f64) -> Self {
         Self {
             center: feature.center,
             radius: feature.plan_radius,
@@ -54,7 +55,7 @@ impl Sector {
     }
 
     /// On which sides a tangent that leaves this sector's circle on `side` may touch the circle of `other`: left, right.
-    pub(super) fn may_reach(&self, side: Side, other: &Self) -> [Option<Side>; 2] {
+    pub(crate) fn may_reach(&self, side: Side, other: &Self) -> [Option<Side>; 2] {
         let between = other.center - self.center;
         let slack = self.radius + other.radius + SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs());
         if !self.admits(between, slack)[side as usize] {
@@ -62,6 +63,13 @@ impl Sector {
         }
         let [left, right] = other.admits(between, slack);
         [left.then_some(Side::Left), right.then_some(Side::Right)]
+    }
+
+    /// Whether a tangent that leaves the circle on `side` may lead to a place within `slack` of `to`.
+    pub(crate) fn may_lead_to(&self, side: Side, to: Point, slack: f64) -> bool {
+        let between = to - self.center;
+        let slack = slack + SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs());
+        self.admits(between, slack)[side as usize]
     }
 
     /// Whether a way along `between` runs along the circle within the range, on the left and on the right.

@@ -35,6 +35,11 @@ impl Settled {
         self.0[feature][lane.side as usize].push(paid);
     }
 
+    /// Forgets what was settled at a feature.
+    pub(super) fn forget(&mut self, feature: u32) {
+        self.0[feature as usize].iter_mut().for_each(Vec::clear);
+    }
+
     /// Whether a settled label, going on along the arc of `radius`, is at `offset` for no more than `cost`.
     pub(super) fn serves(&self, lane: Lane, radius: f64, offset: f64, cost: f64) -> bool {
         self.any(lane, radius, offset, |paid| paid <= cost + COST_TOLERANCE_MM)

@@ -4,7 +4,7 @@
 pub mod oracle;
 
 use rand::RngExt;
-use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, Ring, Scene};
+use traverse_geometry::{CornerStyle, Obstacle, Path, Point, Polygon, RapidRules, Ring, Scene};
 use traverse_planner::{Algorithm, Answer, NoPath, RapidMove, RapidPlan, Refusal, plan_rapid_move};
 use traverse_solve::{Budget, Silent};
 
@@ -33,7 +33,7 @@ pub fn scene(shapes: impl IntoIterator<Item = Polygon>, clearance_mm: f64) -> Sc
     let obstacles = shapes
         .into_iter()
         .enumerate()
-        .map(|(i, shape)| Obstacle { id: format!("o{i}"), shape, clearance_mm: None })
+        .map(|(i, shape)| Obstacle { id: format!("o{i}"), shape, clearance_mm: None, top_z_mm: None })
         .collect();
     Scene {
         work_area: None,
@@ -49,7 +49,7 @@ pub fn mitred(scene: Scene) -> Scene {
 }
 
 pub fn query(start: Point, target: Point) -> RapidMove {
-    RapidMove { start, target, algorithm: Algorithm::Exact }
+    RapidMove { start, target, algorithm: Algorithm::Exact, rules: RapidRules::default() }
 }
 
 /// What came of a move; every plan is checked.
@@ -72,6 +72,43 @@ pub fn no_path(scene: &Scene, start: Point, target: Point) -> NoPath {
     match answer(scene, start, target) {
         Ok(Answer::NoPath(no_path)) => no_path,
         other => panic!("a path from {start} to {target}: {other:?}"),
+    }
+}
+
+/// What comes of a move by rules; every plan is checked by them.
+pub fn answer_by(
+    scene: &Scene,
+    rules: &RapidRules,
+    start: Point,
+    target: Point,
+) -> Result<Answer, Vec<Refusal>> {
+    let query = RapidMove { rules: rules.clone(), ..query(start, target) };
+    let (answer, _) = plan_rapid_move(scene, &query, &Budget::unlimited(), &mut Silent)?;
+    if let Answer::Plan(plan) = &answer {
+        let check = check_by(scene, rules, start, target, &plan.path);
+        assert!(check.violations.is_empty(), "{:#?}\n{plan:?}\n{rules:?}\n{scene:?}", check.violations);
+        assert_eq!(check.clearance_mm, plan.clearance_mm);
+        assert!((check.cost - plan.cost).abs() <= 1e-9 * plan.cost.max(1.0), "{} {}", check.cost, plan.cost);
+        assert!(plan.lower_bound <= plan.cost);
+    }
+    Ok(answer)
+}
+
+pub fn check_by(
+    scene: &Scene,
+    rules: &RapidRules,
+    start: Point,
+    target: Point,
+    path: &Path,
+) -> traverse_checker::PathCheck {
+    let tolerance = traverse_geometry::CONTACT_TOLERANCE_MM;
+    traverse_checker::check_rapid_move_by(scene, rules, start, target, path, tolerance)
+}
+
+pub fn plan_by(scene: &Scene, rules: &RapidRules, start: Point, target: Point) -> RapidPlan {
+    match answer_by(scene, rules, start, target) {
+        Ok(Answer::Plan(plan)) => plan,
+        other => panic!("no plan from {start} to {target}: {other:?}"),
     }
 }
 

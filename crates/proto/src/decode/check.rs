@@ -2,7 +2,7 @@
 
 use super::reader::Reader;
 use crate::{Limits, Refused, v1};
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point, Scene};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point, RapidRules, Scene};
 use traverse_solve::Budget;
 
 /// What CheckRapidMove asks, validated.
@@ -10,6 +10,8 @@ use traverse_solve::Budget;
 pub struct CheckQuestion {
     /// What to keep away from.
     pub scene: Scene,
+    /// What the path may do.
+    pub rules: RapidRules,
     /// Where the path has to begin.
     pub start: Point,
     /// Where it has to end.
@@ -55,6 +57,7 @@ impl CheckQuestion {
             scene: question.scene,
             start: question.query.start,
             target: question.query.target,
+            rules: question.query.rules,
             path,
             tolerance_mm,
         });

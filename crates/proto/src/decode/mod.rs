@@ -6,6 +6,7 @@ mod number;
 mod path;
 mod plan;
 mod reader;
+mod rules;
 mod scene;
 mod shape;
 

@@ -40,7 +40,8 @@ impl Reader<'_> {
         self.within(field, value, holds, &range)
     }
 
-    fn coordinate(&mut self, field: &str, value: f64) -> Option<f64> {
+    /// A coordinate or height within the limit.
+    pub(crate) fn coordinate(&mut self, field: &str, value: f64) -> Option<f64> {
         let value = self.finite(field, value)?;
         if value.abs() <= COORDINATE_LIMIT_MM {
             return Some(value);

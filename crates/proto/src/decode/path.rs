@@ -31,20 +31,35 @@ impl Reader<'_> {
         let steps: Vec<Option<PathStep>> = (path.steps.into_iter().enumerate())
             .map(|(index, step)| self.step(&format!("{field}.steps[{index}]"), step))
             .collect();
-        Some(Path { start: start?, steps: steps.into_iter().collect::<Option<_>>()? })
+        let start_z_mm = self.height(&format!("{field}.start_z_mm"), path.start_z_mm);
+        Some(Path {
+            start: start?,
+            start_z_mm: start_z_mm?,
+            steps: steps.into_iter().collect::<Option<_>>()?,
+        })
     }
 
     fn step(&mut self, field: &str, step: v1::PathStep) -> Option<PathStep> {
         let end = self.point(&format!("{field}.end"), step.end);
+        let z_mm = self.height(&format!("{field}.z_mm"), step.z_mm);
         let Some(arc) = step.arc else {
-            return Some(PathStep { end: end?, arc: None });
+            return Some(PathStep { end: end?, arc: None, z_mm: z_mm? });
         };
         let center = self.center(&format!("{field}.arc.center"), arc.center);
         let holds = |sweep: f64| sweep > 0.0 && sweep <= LARGEST_SWEEP;
         let sweep =
             self.within(&format!("{field}.arc.sweep_rad"), arc.sweep_rad, holds, "more than 0, at most 2π");
         let sweep = if arc.clockwise { -sweep? } else { sweep? };
-        Some(PathStep { end: end?, arc: Some(PathArc { center: center?, sweep }) })
+        Some(PathStep { end: end?, arc: Some(PathArc { center: center?, sweep }), z_mm: z_mm? })
+    }
+
+    /// A height that may be absent.
+    #[expect(clippy::option_option, reason = "the outer one: it was read")]
+    fn height(&mut self, field: &str, z_mm: Option<f64>) -> Option<Option<f64>> {
+        match z_mm {
+            None => Some(None),
+            Some(z_mm) => self.coordinate(field, z_mm).map(Some),
+        }
     }
 
     /// A centre may lie beyond the coordinate limit by a radius.

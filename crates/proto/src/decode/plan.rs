@@ -50,10 +50,11 @@ impl Reader<'_> {
         let target = self.point(&format!("{parent}target"), request.target);
         let rules = request.rules.unwrap_or_default();
         let algorithm = self.algorithm(&format!("{parent}rules.algorithm"), rules.algorithm);
-        let options = rules.options.unwrap_or_default();
+        let options = rules.options.clone().unwrap_or_default();
+        let rules = self.rules(&format!("{parent}rules"), rules);
         let iteration_limit = self.iteration_limit(&format!("{parent}rules.options"), &options);
         let scene = self.scene(&format!("{parent}scene"), request.scene);
-        let query = RapidMove { start: start?, target: target?, algorithm: algorithm? };
+        let query = RapidMove { start: start?, target: target?, algorithm: algorithm?, rules };
         Some(PlanQuestion { scene: scene?, query, iteration_limit, validate_only: request.validate_only })
     }
 }

@@ -78,8 +78,9 @@ impl Reader<'_> {
             self.id(&field, index, &obstacle.id, &mut first_with);
             let clearance_mm =
                 obstacle.clearance_mm.and_then(|mm| self.clearance(&format!("{field}.clearance_mm"), mm));
+            let top_z_mm = obstacle.top_z_mm.and_then(|mm| self.coordinate(&format!("{field}.top_z_mm"), mm));
             match self.polygon(&format!("{field}.shape"), obstacle.shape) {
-                Some(shape) => read.push(Obstacle { id: obstacle.id, shape, clearance_mm }),
+                Some(shape) => read.push(Obstacle { id: obstacle.id, shape, clearance_mm, top_z_mm }),
                 None => complete = false,
             }
         }

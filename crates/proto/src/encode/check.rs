@@ -11,6 +11,7 @@ pub fn check_answer(check: &PathCheck) -> v1::CheckRapidMoveResponse {
         violations: check.violations.iter().map(violation).collect(),
         cost: check.cost,
         smallest_margin_mm: check.smallest_margin_mm,
+        clearance_mm: check.clearance_mm,
     }
 }
 

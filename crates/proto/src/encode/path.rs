@@ -12,11 +12,12 @@ pub(super) fn path(path: &Path) -> v1::Path {
         start: Some(point(path.start)),
         steps: path.steps.iter().map(step).collect(),
         length_mm: path.length(),
+        start_z_mm: path.start_z_mm,
     }
 }
 
 fn step(step: &PathStep) -> v1::PathStep {
-    v1::PathStep { end: Some(point(step.end)), arc: step.arc.as_ref().map(arc) }
+    v1::PathStep { end: Some(point(step.end)), arc: step.arc.as_ref().map(arc), z_mm: step.z_mm }
 }
 
 fn arc(arc: &PathArc) -> v1::Arc {

@@ -3,7 +3,7 @@
 use super::path::path;
 use crate::v1::{self, plan_rapid_move_response::Outcome};
 use std::time::Duration;
-use traverse_planner::{Answer, RapidPlan, Stats};
+use traverse_planner::{Answer, FeasibleClearance, RapidPlan, Stats};
 
 /// The planner's answer as its message. `prepare` is the time before the search, `search` its own.
 #[must_use]
@@ -15,9 +15,14 @@ pub fn plan_answer(
 ) -> v1::PlanRapidMoveResponse {
     let outcome = match answer {
         Answer::Plan(plan) => Outcome::Plan(rapid_plan(plan)),
-        Answer::NoPath(no_path) => {
-            Outcome::NoPath(v1::NoPath { separating_obstacle_ids: no_path.separating_obstacles.clone() })
-        }
+        Answer::NoPath(no_path) => Outcome::NoPath(v1::NoPath {
+            separating_obstacle_ids: no_path.separating_obstacles.clone(),
+            feasible_clearance_mm: match no_path.feasible_clearance {
+                FeasibleClearance::Millimetres(clearance) => Some(clearance),
+                FeasibleClearance::None | FeasibleClearance::Unknown => None,
+            },
+            feasible_clearance_unknown: no_path.feasible_clearance == FeasibleClearance::Unknown,
+        }),
     };
     v1::PlanRapidMoveResponse {
         outcome: Some(outcome),

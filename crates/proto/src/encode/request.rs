@@ -2,7 +2,7 @@
 
 use super::path;
 use crate::v1;
-use traverse_geometry::{CornerStyle, Obstacle, Path, Polygon, Ring, Scene};
+use traverse_geometry::{CornerStyle, EndRule, Obstacle, Path, Polygon, RapidRules, Ring, Scene};
 use traverse_planner::{Algorithm, RapidMove};
 
 /// The request that asks for `query` in `scene`, within the default effort.
@@ -16,7 +16,7 @@ pub fn plan_request(scene: &Scene, query: &RapidMove) -> v1::PlanRapidMoveReques
         scene: Some(self::scene(scene)),
         start: Some(path::point(query.start)),
         target: Some(path::point(query.target)),
-        rules: Some(v1::RapidRules { algorithm: algorithm.into(), options: None }),
+        rules: Some(v1::RapidRules { algorithm: algorithm.into(), ..rules(&query.rules) }),
         validate_only: false,
     }
 }
@@ -25,6 +25,32 @@ pub fn plan_request(scene: &Scene, query: &RapidMove) -> v1::PlanRapidMoveReques
 #[must_use]
 pub fn check_request(request: v1::PlanRapidMoveRequest, path: &Path) -> v1::CheckRapidMoveRequest {
     v1::CheckRapidMoveRequest { request: Some(request), path: Some(path::path(path)), tolerance_mm: None }
+}
+
+fn rules(rules: &RapidRules) -> v1::RapidRules {
+    v1::RapidRules {
+        heights: rules.heights.map(|rule| v1::HeightRule {
+            start_z_mm: rule.start_z_mm,
+            target_z_mm: rule.target_z_mm,
+            highest_z_mm: rule.highest_z_mm,
+            clearance_z_mm: rule.clearance_z_mm,
+        }),
+        clearances_mm: rules.clearances_mm.clone(),
+        leave: end_rule(rules.leave),
+        enter: end_rule(rules.enter),
+        ..Default::default()
+    }
+}
+
+fn end_rule(rule: EndRule) -> Option<v1::EndRule> {
+    let rule = match rule {
+        EndRule::Refuse => return None,
+        EndRule::Nearest => v1::end_rule::Rule::Nearest(v1::end_rule::NearestWay {}),
+        EndRule::Direction(direction) => {
+            v1::end_rule::Rule::Direction(v1::Point { x_mm: direction.x, y_mm: direction.y })
+        }
+    };
+    Some(v1::EndRule { rule: Some(rule) })
 }
 
 fn scene(scene: &Scene) -> v1::Scene {
@@ -47,6 +73,7 @@ fn obstacle(obstacle: &Obstacle) -> v1::Obstacle {
         id: obstacle.id.clone(),
         shape: Some(polygon(&obstacle.shape)),
         clearance_mm: obstacle.clearance_mm,
+        top_z_mm: obstacle.top_z_mm,
     }
 }
 

@@ -16,7 +16,7 @@ fn ellipse(first: (f64, f64), second: (f64, f64), start: f64, sweep: f64) -> Ell
     EllipticArc { center: Point::new(20.0, -10.0), first, second, start, sweep }
 }
 
-fn chain(curve: &dyn Smooth, edges: &[(f64, Point)]) -> Vec<Edge> {
+fn chain(curve: &impl Smooth, edges: &[(f64, Point)]) -> Vec<Edge> {
     let mut start = curve.point(0.0);
     edges
         .iter()
@@ -30,7 +30,7 @@ fn chain(curve: &dyn Smooth, edges: &[(f64, Point)]) -> Vec<Edge> {
 
 /// The largest distance either way, by brute force: 60 places on the curve per edge against every edge, and 24 places on
 /// each edge against every chord between the former, less what the chords themselves err.
-fn distances(curve: &dyn Smooth, edges: &[Edge]) -> (f64, f64) {
+fn distances(curve: &impl Smooth, edges: &[Edge]) -> (f64, f64) {
     let count = 60 * edges.len();
     let at = |i: usize| i as f64 / count as f64;
     let points: Vec<_> = (0..=count).map(|i| curve.point(at(i))).collect();
@@ -53,7 +53,7 @@ fn distances(curve: &dyn Smooth, edges: &[Edge]) -> (f64, f64) {
 }
 
 /// Checks a fitted curve and gives its count of edges.
-fn check(curve: &dyn Smooth, tolerance_mm: f64) -> usize {
+fn check(curve: &impl Smooth, tolerance_mm: f64) -> usize {
     let fitted = fitted_edges(curve, tolerance_mm, 10_000).unwrap();
     let edges = chain(curve, &fitted);
     if let Some(&(_, end)) = fitted.last() {

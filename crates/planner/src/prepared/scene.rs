@@ -1,0 +1,303 @@
+//! A scene that is kept for many rapid moves and may change between them.
+
+use super::growth::Growth;
+use super::horizon::Horizon;
+use super::link::Link;
+use super::sights::{EditKind, Sights};
+use super::terrain::Terrain;
+use crate::barrier::Side;
+use crate::barriers::{Barriers, Parts, Rings, material_left};
+use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
+use crate::search::{End, Ground, Moves, Room, Route, SeenSearch};
+use crate::shortest_route::{MeetingBarriers, ShortestRoute};
+use crate::{Algorithm, Answer, RapidMove, Refusal, Stats};
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use traverse_geometry::{Obstacle, Point, Polygon, Scene};
+use traverse_solve::{Budget, Interrupt, Observer};
+
+/// The start's horizon is made of what stands within so many cells.
+const HORIZON_CELLS: i64 = 3;
+
+/// So many features are offered to the start before a horizon is worked out.
+const OFFERED_WITHOUT_HORIZON: usize = 48;
+
+/// A scene whose removed obstacles make up more than this share of all blockers is taken apart anew.
+const WASTE_RATIO: f64 = 0.5;
+
+/// A scene that is kept for many rapid moves and may change between them.
+///
+/// Answers equal those of [`crate::plan_rapid_move`] in a fresh scene. Preparing costs about as much as one plan; what
+/// can be seen from where is worked out as queries come by it and kept: later queries are faster. Memory grows with what
+/// was seen, about 32 bytes for each pair of corners that see each other along a tangent.
+pub struct PreparedScene {
+    /// Obstacles that are gone keep their place.
+    scene: Scene,
+    /// Place of each obstacle that is there.
+    places: FxHashMap<String, usize>,
+    terrain: Terrain,
+    sights: Sights,
+    room: Room,
+}
+
+/// Why an edit was refused. The scene is as it was.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum EditRefusal {
+    /// There is no obstacle of this id to remove.
+    #[error("there is no obstacle {id:?} to remove")]
+    UnknownObstacle {
+        /// The id.
+        id: String,
+    },
+    /// The budget ended.
+    #[error("stopped before the edit was done")]
+    Interrupted(Interrupt),
+}
+
+impl PreparedScene {
+    /// Takes a valid scene apart. Cost: linear.
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub fn new(scene: Scene, budget: &Budget) -> Result<Self, Interrupt> {
+        let obstacles = scene.obstacles.iter().map(|obstacle| owned(&obstacle.shape, true)).collect();
+        let work_area = scene.work_area.iter().flat_map(|area| owned(area, false)).collect();
+        let parts = Parts { obstacles, work_area, ..Parts::default() };
+        let terrain = Terrain::new(&scene, parts, budget)?;
+        let ids = scene.obstacles.iter().enumerate();
+        let places = ids.map(|(place, obstacle)| (obstacle.id.clone(), place)).collect();
+        Ok(Self { scene, places, terrain, sights: Sights::default(), room: Room::default() })
+    }
+
+    /// How many obstacles there are.
+    #[must_use]
+    pub fn obstacle_count(&self) -> usize {
+        self.places.len()
+    }
+
+    /// How many tangents between corners are kept.
+    #[must_use]
+    pub fn link_count(&self) -> usize {
+        self.sights.link_count()
+    }
+
+    /// Adds a valid obstacle, or replaces the one with the same id. Cost: about linear in its vertices.
+    ///
+    /// # Errors
+    /// The budget ended; the scene is as it was.
+    pub fn put_obstacle(&mut self, obstacle: Obstacle, budget: &Budget) -> Result<(), EditRefusal> {
+        budget.check(0).map_err(EditRefusal::Interrupted)?;
+        let replaced = self.places.get(&obstacle.id).copied();
+        let place = self.scene.obstacles.len();
+        self.terrain.parts.obstacles.push(owned(&obstacle.shape, true));
+        self.places.insert(obstacle.id.clone(), place);
+        self.scene.obstacles.push(obstacle);
+        let clearance = self.barriers().clearance(place);
+        self.terrain.push(clearance);
+        self.sights.note(&self.terrain, place, EditKind::Added);
+        if let Some(place) = replaced {
+            self.take_away(place);
+        }
+        Ok(())
+    }
+
+    /// Removes the obstacle `id`. Cost: about constant.
+    ///
+    /// # Errors
+    /// There is none of this id; the scene is as it was.
+    pub fn remove_obstacle(&mut self, id: &str) -> Result<(), EditRefusal> {
+        let Some(place) = self.places.remove(id) else {
+            return Err(EditRefusal::UnknownObstacle { id: id.to_owned() });
+        };
+        self.take_away(place);
+        Ok(())
+    }
+
+    fn take_away(&mut self, place: usize) {
+        self.terrain.remove(place);
+        self.sights.note(&self.terrain, place, EditKind::Removed);
+    }
+
+    /// Plans one rapid move; as [`crate::plan_rapid_move`] would in the scene as it is now.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn plan(
+        &mut self,
+        query: &RapidMove,
+        budget: &Budget,
+        observer: &mut dyn Observer,
+    ) -> Result<(Answer, Stats), Vec<Refusal>> {
+        if !query.rules.clearances_mm.is_empty() || query.algorithm == Algorithm::SupportingLines {
+            // What is kept is of no use at another clearance.
+            return crate::plan_rapid_move(&self.scene_now(), query, budget, observer);
+        }
+        self.tidy(budget);
+        let Self { scene, terrain, sights, room, .. } = self;
+        let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
+        let mut along = AlongSights { terrain, sights, room };
+        let mut stats = Stats::default();
+        let asked = Asked { barriers: &barriers, query, is_last: true, budget };
+        let answer = plan_among(asked, &mut along, &mut stats, observer)?;
+        if let Answer::Plan(_) = answer {
+            return Ok((answer, stats));
+        }
+        let answer = with_feasible_clearance(answer, &self.scene_now(), query, true, budget, &mut stats);
+        Ok((answer, stats))
+    }
+
+    /// The scene as it is now.
+    fn scene_now(&self) -> Scene {
+        let mut scene = self.scene.clone();
+        let mut place = 0..;
+        scene.obstacles.retain(|_| place.next().is_some_and(|place| self.terrain.there.has(place)));
+        scene
+    }
+
+    /// Takes the scene apart anew when most of what is kept is gone.
+    fn tidy(&mut self, budget: &Budget) {
+        if self.places.len() * 2 >= self.scene.obstacles.len() || self.scene.obstacles.len() < 64 {
+            return;
+        }
+        let [waste, kept] = self.terrain.waste();
+        if (waste as f64) < WASTE_RATIO * (waste + kept) as f64 {
+            return;
+        }
+        // A scene that is not tidied answers the same, only slower.
+        if let Ok(tidy) = Self::new(self.scene_now(), budget) {
+            *self = tidy;
+        }
+    }
+
+    fn barriers(&self) -> Barriers<'_> {
+        Barriers::view(&self.scene, &self.terrain.parts, Some((&self.terrain.there, &self.terrain.nearby)))
+    }
+}
+
+fn owned(shape: &Polygon, inside: bool) -> Rings<'static> {
+    material_left(shape, inside).into_iter().map(|ring| Cow::Owned(ring.into_owned())).collect()
+}
+
+/// The shortest route along what can be seen.
+struct AlongSights<'a> {
+    terrain: &'a Terrain,
+    sights: &'a mut Sights,
+    room: &'a mut Room,
+}
+
+impl ShortestRoute for AlongSights<'_> {
+    fn shortest(
+        &mut self,
+        barriers: &Barriers<'_>,
+        left_out: &BTreeSet<usize>,
+        [start, target]: [&End; 2],
+        stats: &mut Stats,
+        budget: &Budget,
+        observer: &mut dyn Observer,
+    ) -> (Result<Option<Route>, Interrupt>, f64) {
+        if !left_out.is_empty() {
+            // What is kept is of no use where less stands in the way.
+            let ends = [start, target];
+            return MeetingBarriers.shortest(barriers, left_out, ends, stats, budget, observer);
+        }
+        let growth = Growth::new(start.point, target.point);
+        let moves = Sighted {
+            terrain: self.terrain,
+            sights: self.sights,
+            growth,
+            start,
+            horizon: None,
+            offered_count: 0,
+            waiting: Vec::new(),
+        };
+        let mut search = SeenSearch::new(moves, start, target, std::mem::take(self.room));
+        let found = search.run(budget, &mut stats.expanded_nodes, observer);
+        let lower_bound = search.lower_bound;
+        *self.room = search.into_room();
+        (found, lower_bound)
+    }
+}
+
+/// What a query moves by.
+struct Sighted<'a> {
+    terrain: &'a Terrain,
+    sights: &'a mut Sights,
+    growth: Growth,
+    start: &'a End,
+    /// Worked out when it begins to pay.
+    horizon: Option<Horizon>,
+    offered_count: usize,
+    /// Features that only dearer paths can touch, with the least cost of such a path.
+    waiting: Vec<(f64, u32)>,
+}
+
+/// The horizon round a point, from what stands nearest to it.
+fn horizon(terrain: &Terrain, end: &End) -> Horizon {
+    let grid = terrain.parts.whole.grid();
+    let aside = end.places.iter().map(|place| (place - end.point).norm()).fold(0.0, f64::max);
+    let mut horizon = Horizon::new(end.point, terrain.usual_radius + aside);
+    let mut runs = Vec::new();
+    let [column, row] = grid.cell_at(end.point);
+    let [columns, rows] = grid.size().map(|count| count as i64);
+    for row in (row - HORIZON_CELLS).max(0)..=(row + HORIZON_CELLS).min(rows - 1) {
+        for column in (column - HORIZON_CELLS).max(0)..=(column + HORIZON_CELLS).min(columns - 1) {
+            runs.extend(grid.items(column as usize, row as usize));
+        }
+    }
+    runs.sort_unstable();
+    runs.dedup();
+    for run in runs {
+        if terrain.there.has(terrain.parts.whole.owner_of_run(run)) {
+            horizon.add_chain(terrain.parts.whole.chain_of_run(run));
+        }
+    }
+    horizon
+}
+
+impl Moves for Sighted<'_> {
+    type Ground = Terrain;
+
+    fn ground(&self) -> &Terrain {
+        self.terrain
+    }
+
+    fn see(&mut self, feature: u32, side: Side, budget: &Budget) -> Result<(), Interrupt> {
+        self.sights.see(self.terrain, feature, side, budget)
+    }
+
+    fn links(&self, feature: u32, side: Side) -> &[Link] {
+        self.sights.links(feature, side)
+    }
+
+    fn is_free(&self, from: Point, to: Point) -> bool {
+        self.terrain.is_free(from, to)
+    }
+
+    fn offer(&mut self, cost: f64, found: &mut Vec<u32>) -> f64 {
+        let mut reached = Vec::new();
+        let offered = self.growth.grow(&self.terrain.layer, cost, &mut reached);
+        if self.horizon.is_none() && self.offered_count + reached.len() > OFFERED_WITHOUT_HORIZON {
+            self.horizon = Some(horizon(self.terrain, self.start));
+        }
+        for feature in reached {
+            let circle = self.terrain.feature(feature);
+            let by = circle.center - self.start.point;
+            let is_hidden =
+                self.horizon.as_ref().is_some_and(|horizon| horizon.hides(by, circle.plan_radius));
+            if !is_hidden && self.terrain.is_there(feature) {
+                self.waiting.push((self.growth.least_cost(circle.center, circle.plan_radius), feature));
+            }
+        }
+        let before = found.len();
+        self.waiting.retain(|&(least, feature)| {
+            let due = least <= offered;
+            if due {
+                found.push(feature);
+            }
+            !due
+        });
+        self.offered_count += found.len() - before;
+        offered
+    }
+}

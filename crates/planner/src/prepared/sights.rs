@@ -1,0 +1,111 @@
+//! What can be seen from every feature that a search has come by, and how edits change it.
+
+use super::link::Link;
+use super::sight::{Looked, Sight, line, link, may_matter, sight};
+use super::terrain::Terrain;
+use crate::barrier::Side;
+use traverse_geometry::Bounds;
+use traverse_solve::{Budget, Interrupt};
+
+/// Sights that are behind by more edits than this are worked out anew.
+const EDITS_KEPT: usize = 256;
+
+/// Sights by feature and side, worked out when first asked for.
+#[derive(Default)]
+pub(super) struct Sights {
+    /// Per feature on the left and on the right.
+    known: Vec<[Option<Kept>; 2]>,
+    edits: Vec<Edit>,
+    looked: Looked,
+}
+
+/// A sight, and how many edits it has taken in.
+struct Kept {
+    sight: Sight,
+    edits: usize,
+}
+
+/// A change of the scene.
+struct Edit {
+    owner: usize,
+    kind: EditKind,
+    bounds: Bounds,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum EditKind {
+    Added,
+    Removed,
+}
+
+impl Sights {
+    /// Takes note that an owner was added or removed.
+    pub(super) fn note(&mut self, terrain: &Terrain, owner: usize, kind: EditKind) {
+        if let Some(bounds) = terrain.owned(owner).bounds {
+            self.edits.push(Edit { owner, kind, bounds });
+        }
+    }
+
+    /// Makes sure that the sight from a feature is known and up to date.
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(super) fn see(
+        &mut self,
+        terrain: &Terrain,
+        feature: u32,
+        side: Side,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
+        let at = feature as usize;
+        if self.known.len() <= at {
+            self.known.resize_with(terrain.features.len(), Default::default);
+        }
+        let now = self.edits.len();
+        if let Some(kept) = &mut self.known[at][side as usize]
+            && now - kept.edits <= EDITS_KEPT
+        {
+            let missed = &self.edits[kept.edits..];
+            if missed.iter().all(|edit| update(terrain, feature, side, &mut kept.sight, edit)) {
+                kept.edits = now;
+                return Ok(());
+            }
+        }
+        let sight = sight(terrain, feature, side, &mut self.looked, budget)?;
+        self.known[at][side as usize] = Some(Kept { sight, edits: now });
+        Ok(())
+    }
+
+    /// The links from a feature that was seen from.
+    pub(super) fn links(&self, feature: u32, side: Side) -> &[Link] {
+        let kept = self.known.get(feature as usize).and_then(|sides| sides[side as usize].as_ref());
+        kept.map_or(&[], |kept| &kept.sight.links)
+    }
+
+    /// How many links are kept.
+    pub(super) fn link_count(&self) -> usize {
+        self.known.iter().flatten().flatten().map(|kept| kept.sight.links.len()).sum()
+    }
+}
+
+/// Takes an edit into a sight; false when it has to be worked out anew.
+fn update(terrain: &Terrain, feature: u32, side: Side, sight: &mut Sight, edit: &Edit) -> bool {
+    if !may_matter(terrain, feature, side, sight.reach, &edit.bounds) {
+        return true;
+    }
+    if edit.kind == EditKind::Removed {
+        return false;
+    }
+    sight.links.retain(|kept| {
+        line(terrain, feature, side, kept)
+            .is_some_and(|(from, to)| !terrain.is_blocked_by(edit.owner, from, to))
+    });
+    if terrain.there.has(edit.owner) {
+        for other in terrain.owned(edit.owner).features.clone() {
+            for other_side in [Side::Left, Side::Right] {
+                sight.links.extend(link(terrain, feature, side, other as u32, other_side));
+            }
+        }
+    }
+    true
+}

@@ -1,0 +1,237 @@
+//! What a prepared scene keeps of its barriers: everything that blocks a move, every feature, and where both lie.
+
+use super::nearby::Nearby;
+use crate::barrier::{Blocker, Clearance, Feature, Grid, Obstruction, Outline};
+use crate::barriers::{Barriers, Marks, Parts, WORK_AREA};
+use crate::search::{Circles, Ground, Sector, Stretches};
+use std::cell::OnceCell;
+use std::ops::{ControlFlow, Range};
+use traverse_geometry::{Arc, Bounds, Point, Scene, Segment, Vector};
+use traverse_solve::{Budget, Interrupt};
+
+/// A circle up to this share of a cell enters the grid by its box.
+const SMALL_CIRCLE: f64 = 0.25;
+
+/// Blockers and features of all owners, also of those that are gone.
+pub(super) struct Terrain {
+    /// The rings and blockers.
+    pub(super) parts: Parts<'static>,
+    pub(super) features: Vec<Feature>,
+    /// Features by the cells that their arcs lie in; the same cells as the obstruction's.
+    pub(super) layer: Grid,
+    sectors: Vec<Sector>,
+    circles: Circles,
+    /// Per feature its free stretches, worked out when first asked for.
+    free: Vec<OnceCell<Stretches>>,
+    pub(super) there: Marks,
+    pub(super) nearby: Nearby,
+    /// The radius that most features have, millimetres.
+    pub(super) usual_radius: f64,
+    /// Per owner, the work area's first, what it owns.
+    owned: Vec<Owned>,
+}
+
+/// What an owner's barrier consists of.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Owned {
+    pub(super) features: Range<usize>,
+    pub(super) blockers: Vec<Range<usize>>,
+    /// What its barrier reaches.
+    pub(super) bounds: Option<Bounds>,
+}
+
+impl Terrain {
+    /// The terrain of a scene's rings.
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(super) fn new(scene: &Scene, mut parts: Parts<'static>, budget: &Budget) -> Result<Self, Interrupt> {
+        let barriers = Barriers::view(scene, &parts, None);
+        let (mut blockers, mut ends) = (Vec::new(), Vec::new());
+        let mut features = Vec::new();
+        let mut owned = Vec::new();
+        for owner in std::iter::once(WORK_AREA).chain(0..parts.obstacles.len()) {
+            budget.check(0)?;
+            let first = features.len();
+            let mut chains = Vec::new();
+            for outline in barriers.outlines(owner) {
+                let begin = blockers.len();
+                outline.add_blockers(&mut blockers);
+                outline.add_features(&mut features, budget)?;
+                ends.push(blockers.len());
+                chains.push(begin..blockers.len());
+            }
+            let bounds = bounds_of(chains.iter().flat_map(|chain| &blockers[chain.clone()]));
+            owned.push(Owned { features: first..features.len(), blockers: chains, bounds });
+        }
+        parts.whole = Obstruction::new(blockers, &ends, budget)?;
+        let whole = &parts.whole;
+        let layer = whole.grid().same_cells();
+        let there = Marks::of(owned.len() - 1, true);
+        let (sectors, circles, free) = (Vec::new(), Circles::default(), Vec::new());
+        let usual_radius = Clearance { asked: scene.clearance_mm, style: scene.corner_style }.planned();
+        let mut nearby = Nearby::like(&layer);
+        for (owner, owned) in owned.iter().enumerate().skip(1) {
+            nearby.push(owner - 1, owned.bounds.as_ref());
+        }
+        if scene.work_area.is_some() {
+            nearby.push(WORK_AREA, None);
+        }
+        let mut terrain =
+            Self { parts, features, layer, sectors, circles, free, there, nearby, usual_radius, owned };
+        for feature in 0..terrain.features.len() {
+            terrain.place(feature);
+        }
+        Ok(terrain)
+    }
+
+    /// Adds the obstacle whose rings were added last.
+    pub(super) fn push(&mut self, clearance: Clearance) {
+        let first = self.features.len();
+        let owner = self.parts.obstacles.len() - 1;
+        let mut owned = Owned::default();
+        let mut chain = Vec::new();
+        for ring in &self.parts.obstacles[owner] {
+            let outline = Outline { ring, clearance, owner };
+            chain.clear();
+            outline.add_blockers(&mut chain);
+            let added = outline.add_features(&mut self.features, &Budget::unlimited());
+            debug_assert!(added.is_ok(), "nothing stops an unlimited budget");
+            owned.blockers.push(self.parts.whole.push_chain(&chain));
+        }
+        owned.features = first..self.features.len();
+        owned.bounds =
+            bounds_of(owned.blockers.iter().flat_map(|chain| self.parts.whole.blockers(chain.clone())));
+        for feature in owned.features.clone() {
+            self.place(feature);
+        }
+        self.there.push(true);
+        self.nearby.push(owner, owned.bounds.as_ref());
+        if let Some(bounds) = owned.bounds {
+            self.forget_stretches(&bounds);
+        }
+        self.owned.push(owned);
+    }
+
+    /// Takes an owner away; its blockers and features stay where they are, for nothing.
+    pub(super) fn remove(&mut self, owner: usize) {
+        self.there.set(owner, false);
+        if let Some(bounds) = self.owned(owner).bounds {
+            self.forget_stretches(&bounds);
+        }
+    }
+
+    pub(super) fn owned(&self, owner: usize) -> &Owned {
+        // The work area's owner is the largest number, which wraps round to the first place.
+        &self.owned[owner.wrapping_add(1)]
+    }
+
+    /// How many blockers belong to owners that are gone, and how many to those that are there.
+    pub(super) fn waste(&self) -> [usize; 2] {
+        let mut counts = [0, 0];
+        for (place, owned) in self.owned.iter().enumerate() {
+            let is_there = self.there.has(place.wrapping_sub(1));
+            counts[usize::from(is_there)] += owned.blockers.iter().map(Range::len).sum::<usize>();
+        }
+        counts
+    }
+
+    /// Whether a feature's owner is there.
+    pub(super) fn is_there(&self, feature: u32) -> bool {
+        self.there.has(self.features[feature as usize].owner)
+    }
+
+    /// Whether nothing blocks the straight move.
+    pub(super) fn is_free(&self, from: Point, to: Point) -> bool {
+        if from == to {
+            return true;
+        }
+        let mut free = true;
+        self.parts.whole.blocking(&Segment::new(from, to), |blocker| {
+            if !self.there.has(blocker.owner) {
+                return ControlFlow::Continue(());
+            }
+            free = false;
+            ControlFlow::Break(())
+        });
+        free
+    }
+
+    /// Whether an owner's barrier blocks the straight move.
+    pub(super) fn is_blocked_by(&self, owner: usize, from: Point, to: Point) -> bool {
+        let line = traverse_geometry::Edge::Segment(Segment::new(from, to));
+        let owned = self.owned(owner);
+        owned.bounds.is_some_and(|bounds| bounds.meets(&Bounds::of([from, to])))
+            && owned.blockers.iter().any(|chain| {
+                self.parts.whole.blockers(chain.clone()).iter().any(|blocker| blocker.blocks(&line))
+            })
+    }
+
+    /// Puts a feature where it can be found.
+    fn place(&mut self, index: usize) {
+        let feature = &self.features[index];
+        let cell = self.layer.cell();
+        let bounds = if feature.plan_radius < SMALL_CIRCLE * cell.x.min(cell.y) {
+            Bounds::of([feature.center]).grown(feature.plan_radius)
+        } else {
+            Arc::from_angles(feature.center, feature.plan_radius, feature.start_angle, feature.sweep).bounds()
+        };
+        self.circles.push(feature);
+        self.sectors.push(Sector::of(feature));
+        self.layer.insert_box(index as u32, &bounds, 0.0);
+        self.free.push(OnceCell::new());
+    }
+
+    /// Forgets what was known of arcs that reach into `bounds`.
+    fn forget_stretches(&mut self, bounds: &Bounds) {
+        let free = &mut self.free;
+        let _ = self.layer.within(bounds, |feature| {
+            free[feature as usize].take();
+            ControlFlow::Continue(())
+        });
+    }
+}
+
+impl Ground for Terrain {
+    fn feature(&self, feature: u32) -> &Feature {
+        &self.features[feature as usize]
+    }
+
+    fn sector(&self, feature: u32) -> &Sector {
+        &self.sectors[feature as usize]
+    }
+
+    fn stretches(&self, feature: u32) -> &Stretches {
+        self.free[feature as usize].get_or_init(|| {
+            let feature = &self.features[feature as usize];
+            if feature.plan_radius == 0.0 {
+                return Stretches::all(feature);
+            }
+            let blocked = self.parts.whole.blocked_offsets(feature);
+            Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)))
+        })
+    }
+
+    fn knows_stretches(&self, _feature: u32) -> bool {
+        true
+    }
+
+    fn on_same_circle(&self, feature: u32) -> impl Iterator<Item = u32> {
+        let near = self.circles.near(self.feature(feature));
+        near.filter(move |&other| {
+            other != feature && self.is_there(other) && self.is_same_circle(feature, other)
+        })
+    }
+}
+
+fn bounds_of<'a>(blockers: impl Iterator<Item = &'a Blocker>) -> Option<Bounds> {
+    let bounds = blockers
+        .fold(Bounds::EMPTY, |bounds, blocker| bounds.union(blocker.edge.bounds().grown(blocker.limit)));
+    (!bounds.is_empty()).then_some(bounds)
+}
+
+/// The middle of a box and how far its corners lie from there.
+pub(super) fn middle_and_reach(bounds: &Bounds) -> (Point, f64) {
+    let half: Vector = bounds.size() / 2.0;
+    (bounds.center(), half.norm())
+}

@@ -1,0 +1,133 @@
+//! Prepared scenes answer what fresh ones answer, also after edits in any order.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test stops where it can't go on"
+)]
+
+mod support;
+
+use rand::RngExt;
+use support::{assert_close, assert_sound, disc, mitred, point, query, scene, stars};
+use traverse_geometry::{Obstacle, Polygon, Scene};
+use traverse_planner::{Answer, PreparedScene, plan_rapid_move};
+use traverse_solve::{Budget, Seed, Silent};
+
+/// What a prepared scene answers is what a fresh one does.
+fn assert_same(
+    prepared: &mut PreparedScene,
+    fresh: &Scene,
+    start: (f64, f64),
+    target: (f64, f64),
+    what: &str,
+) {
+    let move_ = query(point(start.0, start.1), point(target.0, target.1));
+    let budget = Budget::unlimited();
+    let found = prepared.plan(&move_, &budget, &mut Silent).map(|(answer, _)| answer);
+    let expected = plan_rapid_move(fresh, &move_, &budget, &mut Silent).map(|(answer, _)| answer);
+    match (found, expected) {
+        (Ok(Answer::Plan(found)), Ok(Answer::Plan(expected))) => {
+            assert_close(found.cost, expected.cost, what);
+            assert_sound(fresh, move_.start, move_.target, &found);
+        }
+        (found, expected) => assert_eq!(found, expected, "{what}"),
+    }
+}
+
+fn somewhere(random: &mut impl RngExt, side: f64) -> (f64, f64) {
+    (random.random_range(-10.0..side + 10.0), random.random_range(-10.0..side + 10.0))
+}
+
+#[test]
+fn prepared_scenes_answer_as_fresh_ones() {
+    for seed in 0..120 {
+        let mut random = Seed(seed).stream();
+        let count = random.random_range(1..40);
+        let shapes = stars(&mut random, count, 100.0, 14.0);
+        for fresh in [scene(shapes.clone(), 0.0), scene(shapes.clone(), 1.5), mitred(scene(shapes, 1.0))] {
+            let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+            for _ in 0..12 {
+                let (start, target) = (somewhere(&mut random, 100.0), somewhere(&mut random, 100.0));
+                assert_same(
+                    &mut prepared,
+                    &fresh,
+                    start,
+                    target,
+                    &format!("seed {seed} {start:?} {target:?}"),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn prepared_discs_answer_as_fresh_ones() {
+    for seed in 0..150 {
+        let mut random = Seed(seed).stream();
+        let discs: Vec<Polygon> = (0..12)
+            .map(|_| {
+                let radius = random.random_range(1.0..9.0);
+                disc(random.random_range(0.0..60.0), random.random_range(0.0..60.0), radius)
+            })
+            .collect();
+        for clearance in [0.0, 1.0, 4.0] {
+            let fresh = scene(discs.clone(), clearance);
+            let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+            for _ in 0..6 {
+                let (start, target) = (somewhere(&mut random, 60.0), somewhere(&mut random, 60.0));
+                assert_same(
+                    &mut prepared,
+                    &fresh,
+                    start,
+                    target,
+                    &format!("seed {seed} {start:?} {target:?}"),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn edits_in_random_order_leave_the_scene_as_a_fresh_one() {
+    for seed in 0..60 {
+        let mut random = Seed(seed).stream();
+        let clearance = [0.0, 0.0, 1.0][seed as usize % 3];
+        let shapes = stars(&mut random, 25, 100.0, 12.0);
+        let mut fresh = scene(shapes, clearance);
+        let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+        for step in 0..40 {
+            match random.random_range(0..4) {
+                0 if !fresh.obstacles.is_empty() => {
+                    let gone = random.random_range(0..fresh.obstacles.len());
+                    let gone = fresh.obstacles.remove(gone);
+                    prepared.remove_obstacle(&gone.id).unwrap();
+                }
+                1 => {
+                    // Sometimes far outside of what was there at first, sometimes in place of another.
+                    let side = if random.random_bool(0.1) { 400.0 } else { 100.0 };
+                    let id = format!("o{}", random.random_range(0..40));
+                    let shape = stars(&mut random, 1, side, 12.0).remove(0);
+                    let obstacle = Obstacle { id, shape, clearance_mm: None, top_z_mm: None };
+                    fresh.obstacles.retain(|other| other.id != obstacle.id);
+                    fresh.obstacles.push(obstacle.clone());
+                    prepared.put_obstacle(obstacle, &Budget::unlimited()).unwrap();
+                }
+                _ => {
+                    let (start, target) = (somewhere(&mut random, 100.0), somewhere(&mut random, 100.0));
+                    let what = format!("seed {seed} step {step} {start:?} {target:?}");
+                    assert_same(&mut prepared, &fresh, start, target, &what);
+                }
+            }
+            assert_eq!(prepared.obstacle_count(), fresh.obstacles.len());
+        }
+    }
+}
+
+#[test]
+fn an_obstacle_that_is_not_there_can_not_be_removed() {
+    let mut prepared = PreparedScene::new(scene([], 0.0), &Budget::unlimited()).unwrap();
+    let refusal = prepared.remove_obstacle("vise").unwrap_err();
+    assert_eq!(refusal.to_string(), "there is no obstacle \"vise\" to remove");
+    assert_same(&mut prepared, &scene([], 0.0), (0.0, 0.0), (3.0, 4.0), "an empty scene");
+}
