@@ -113,12 +113,21 @@ pub(crate) struct Inspect {
 pub(crate) struct Rapid {
     #[command(flatten)]
     pub(crate) file: DrawingFile,
-    /// Where the tool's centre is, millimetres.
-    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
-    pub(crate) from: Point,
+    /// Where the tool's centre is, millimetres. With --program: where it stands when the program begins, if known.
+    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, required_unless_present = "program")]
+    pub(crate) from: Option<Point>,
     /// Where it has to go, millimetres.
-    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
-    pub(crate) to: Point,
+    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, required_unless_present = "program")]
+    pub(crate) to: Option<Point>,
+    /// Replaces the rapid moves of this G-code program instead, and tells what that saves. Write it with -o OUT.nc.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "request", "server", "algorithm", "leave", "enter", "start_z"])]
+    pub(crate) program: Option<PathBuf>,
+    /// At this Z of the program, millimetres, and above it nothing is in the way. Default: nowhere.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "program")]
+    pub(crate) safe_z: Option<f64>,
+    /// Feeds arcs as G2 and G3 at this speed. Default: the profile's; without one arcs are straight G0 moves outside them.
+    #[arg(long, value_name = "MM_PER_MIN", requires = "program")]
+    pub(crate) arc_feed: Option<f64>,
     /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin. May come from --machine.
     /// Several (6,4,2.5) are tried largest first; the first that admits a path counts.
     #[arg(
@@ -167,7 +176,8 @@ pub(crate) struct Rapid {
     /// Plan although parts of the drawing could not be used: the path may run through them.
     #[arg(long)]
     pub(crate) ignore_unused: bool,
-    /// Writes the plan: .svg or .png a picture, .json a PlanRapidMoveResponse, .dxf a drawing, .nc G-code for --machine.
+    /// Writes the plan: .svg or .png a picture, .json a PlanRapidMoveResponse, .dxf a drawing, .nc G-code for --machine
+    /// or the rewritten --program.
     /// Repeat for more.
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,

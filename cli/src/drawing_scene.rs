@@ -3,22 +3,53 @@
 use crate::arguments::{Corner, DrawingFile, Rapid, Unit};
 use crate::failure::Failure;
 use crate::input;
+use std::collections::BTreeMap;
 use traverse_drawing::{
     Drawing, LengthUnit, Machine, ObstacleRole, Profiles, ReadOptions, Roles, SceneFromDrawing, SceneOptions,
     Selector, read_drawing, scene_from_drawing,
 };
-use traverse_geometry::CornerStyle;
+use traverse_geometry::{CornerStyle, Scene};
 
 /// The scene that `arguments` ask for; the report goes to standard error.
 pub(crate) fn scene(arguments: &Rapid, machine: Option<&Machine>) -> Result<SceneFromDrawing, Failure> {
-    let path = arguments.file.drawing.display();
+    found_in(&read(&arguments.file)?, arguments, &options(arguments, machine)?)
+}
+
+/// The scene for every tool that `machine` knows the clearance of, and for all others.
+pub(crate) fn scenes_by_tool(
+    arguments: &Rapid,
+    machine: Option<&Machine>,
+) -> Result<(Scene, BTreeMap<u32, Scene>), Failure> {
     let options = options(arguments, machine)?;
     let drawing = read(&arguments.file)?;
+    let any = found_in(&drawing, arguments, &options)?.scene;
+    let clearances = machine.map(|machine| machine.tool_clearances_mm.clone()).unwrap_or_default();
+    let by_tool = clearances.into_iter().map(|(tool, clearance_mm)| {
+        let mut options = options.clone();
+        options.clearance_mm = clearance_mm;
+        // A larger tool keeps more from obstacles with a clearance of their own as well.
+        for role in &mut options.roles.obstacles {
+            role.clearance_mm = role.clearance_mm.map(|own| own.max(clearance_mm));
+        }
+        let scene = scene_from_drawing(&drawing, &options).map(|found| found.scene);
+        scene
+            .map(|scene| (tool, scene))
+            .map_err(|error| Failure::Input(format!("{}: {error}", arguments.file.drawing.display())))
+    });
+    Ok((any, by_tool.collect::<Result<_, _>>()?))
+}
+
+fn found_in(
+    drawing: &Drawing,
+    arguments: &Rapid,
+    options: &SceneOptions,
+) -> Result<SceneFromDrawing, Failure> {
+    let path = arguments.file.drawing.display();
     if let Some(mapping) = &drawing.mapping {
         eprintln!("page: {mapping}");
     }
     let found =
-        scene_from_drawing(&drawing, &options).map_err(|error| Failure::Input(format!("{path}: {error}")))?;
+        scene_from_drawing(drawing, options).map_err(|error| Failure::Input(format!("{path}: {error}")))?;
     eprint!("{}", found.report);
     if !found.report.is_complete() && !arguments.ignore_unused {
         return Err(Failure::Input(format!(

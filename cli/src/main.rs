@@ -18,6 +18,8 @@ mod input;
 mod inspect;
 mod picture_file;
 mod planning;
+mod program;
+mod program_table;
 mod rapid;
 mod serve;
 mod solve;

@@ -3,7 +3,7 @@
 use crate::arguments::{Method, Rapid};
 use crate::failure::Failure;
 use crate::picture_file::{PictureKind, write_picture};
-use crate::{drawing_scene, input, planning};
+use crate::{drawing_scene, input, planning, program};
 use std::path::Path as FilePath;
 use std::time::Duration;
 use traverse_drawing::{Machine, Shown, picture_of_plan, write_dxf, write_gcode};
@@ -16,18 +16,20 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
     for output in &arguments.output {
         kind_of(output)?;
     }
+    if let Some(file) = &arguments.program {
+        return program::run(&arguments, file);
+    }
+    let (Some(from), Some(to)) = (arguments.from, arguments.to) else {
+        return Err(Failure::Internal("the command line has no ends".to_owned()));
+    };
     let machine = drawing_scene::machine(&arguments.file)?;
     let scene = drawing_scene::scene(&arguments, machine.as_ref())?.scene;
     let algorithm = match arguments.algorithm {
         Method::Exact => Algorithm::Exact,
         Method::SupportingLines => Algorithm::SupportingLines,
     };
-    let query = RapidMove {
-        start: arguments.from,
-        target: arguments.to,
-        algorithm,
-        rules: rules(&arguments, scene.clearance_mm),
-    };
+    let query =
+        RapidMove { start: from, target: to, algorithm, rules: rules(&arguments, scene.clearance_mm) };
     let mut request = plan_request(&scene, &query);
     if let (Some(limit), Some(rules)) = (arguments.time_limit, &mut request.rules) {
         let time_limit = prost_types::Duration::try_from(limit).ok();
@@ -53,7 +55,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         }
         say!("wrote {}", output.display());
     }
-    report(&scene, &arguments, &answer)
+    report(&scene, &arguments, (to - from).norm(), &answer)
 }
 
 /// The rules that the command line asks for. What is wrong with them the service says.
@@ -73,7 +75,8 @@ fn rules(arguments: &Rapid, clearance_mm: f64) -> RapidRules {
     RapidRules { heights, clearances_mm, leave: arguments.leave, enter: arguments.enter }
 }
 
-enum Output {
+/// What a file of the command line is to hold, by the ending of its name.
+pub(crate) enum Output {
     Picture(PictureKind),
     Json,
     Drawing,
@@ -117,7 +120,7 @@ fn path_of(answer: &v1::PlanRapidMoveResponse) -> Result<Option<Path>, Failure> 
     }
 }
 
-fn kind_of(path: &FilePath) -> Result<Output, Failure> {
+pub(crate) fn kind_of(path: &FilePath) -> Result<Output, Failure> {
     if let Some(kind) = PictureKind::known(path) {
         return Ok(Output::Picture(kind));
     }
@@ -160,8 +163,12 @@ pub(crate) fn picture(
     })
 }
 
-fn report(scene: &Scene, arguments: &Rapid, answer: &v1::PlanRapidMoveResponse) -> Result<(), Failure> {
-    let straight = (arguments.to - arguments.from).norm();
+fn report(
+    scene: &Scene,
+    arguments: &Rapid,
+    straight: f64,
+    answer: &v1::PlanRapidMoveResponse,
+) -> Result<(), Failure> {
     match &answer.outcome {
         Some(Outcome::Plan(plan)) => {
             let steps = plan.path.as_ref().map_or(0, |path| path.steps.len());

@@ -209,6 +209,71 @@ fn a_machine_profile_gives_clearance_and_g_code() {
     assert_ends(&ask(&["--clearance", "4", "--machine", "lathe-2"]), 2, "--machines");
 }
 
+/// `traverse rapid --program` on the bundled mill, with these arguments more.
+fn rewrite(program: &str, more: &[&str]) -> Output {
+    let (drawing, program) = (drawing("vise-and-clamps.dxf"), example_program(program));
+    let mut arguments = vec!["rapid", &drawing, "--clearance", "5", "--program", &program];
+    for layer in ["VISE", "CLAMPS", "PINS", "STOP"] {
+        arguments.extend(["--obstacles", layer]);
+    }
+    arguments.extend(more);
+    traverse(&arguments)
+}
+
+fn example_program(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples/programs").join(name).display().to_string()
+}
+
+#[test]
+fn a_program_is_rewritten_with_a_table_and_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let [nc, svg] = ["out.ngc", "out.svg"].map(|name| folder.path().join(name).display().to_string());
+    let more = ["--safe-z", "60", "--arc-feed", "6000", "-o", &nc, "-o", &svg];
+    let output = rewrite("plate-and-vise.ngc", &more);
+    assert_ends(&output, 0, "4 of 9 rapid moves replaced; 4 ran too near");
+    assert_ends(&output, 0, "too near to PINS/3, CLAMPS/1");
+    assert_ends(
+        &output,
+        0,
+        "line 9: not looked at: where it begins is not known since line 7: a tool change",
+    );
+    assert!(std::fs::read_to_string(&nc).unwrap().contains("N300 X100 Y150 (POCKET)\n"));
+    assert!(std::fs::read_to_string(&svg).unwrap().contains("shorter"));
+}
+
+#[test]
+fn what_still_hits_ends_with_5_and_a_profile_speaks_for_tools_offsets_and_times() {
+    let folder = tempfile::tempdir().unwrap();
+    let machines = folder.path().join("machines.toml");
+    let text = "[machine.m]\nclearance_mm = 5\n[machine.m.speeds]\narc_feed_mm_per_min = 6000\n\
+                rapid_mm_per_min = 12000\n[machine.m.tools]\n1 = { diameter_mm = 6.0, margin_mm = 1.0 }\n\
+                [machine.m.offsets]\nG54 = [0, 0]\nG55 = [340, 92]\n[machine.m.gcode]\ndialect = \"fanuc\"\n";
+    std::fs::write(&machines, text).unwrap();
+    let profile = machines.display().to_string();
+    let output = rewrite("stop-and-plate.nc", &["--machines", &profile, "--machine", "m"]);
+    assert_ends(&output, 0, "before s   after s");
+    assert_ends(
+        &rewrite("table-engraving.gcode", &[]),
+        5,
+        "STILL TOO NEAR to VISE/1: protected by a comment",
+    );
+}
+
+#[test]
+fn a_program_that_cannot_be_read_ends_with_3() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = drawing("vise-and-clamps.dxf");
+    for (text, said) in [("Dear Sir,\n", "no G-code"), ("G0\0", "line 1 holds a NUL byte")] {
+        let program = folder.path().join("bad.nc");
+        std::fs::write(&program, text).unwrap();
+        let program = program.display().to_string();
+        assert_ends(&traverse(&["rapid", &drawing, "--clearance", "5", "--program", &program]), 3, said);
+    }
+    let dxf = folder.path().join("out.dxf").display().to_string();
+    assert_ends(&rewrite("plate-and-vise.ngc", &["-o", &dxf]), 3, "a program is written to .nc");
+    assert_ends(&rewrite("plate-and-vise.ngc", &["--to", "1,1"]), 2, "cannot be used with");
+}
+
 /// A wall right across, with a gap, in a work area.
 fn wall(folder: &Path) -> String {
     let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>\

@@ -4,12 +4,14 @@ mod convert;
 mod error;
 mod line_index;
 mod raw;
+mod tools;
 
 pub use error::{ProfileError, ProfileFinding};
 
 use crate::{GcodeSettings, ObstacleRole, Roles, SceneOptions, Selector};
+use std::collections::BTreeMap;
 use std::io::Read;
-use traverse_geometry::CornerStyle;
+use traverse_geometry::{CornerStyle, Vector};
 
 /// The longest profile file, bytes.
 pub const PROFILE_BYTE_LIMIT: u64 = 256 << 10;
@@ -35,6 +37,12 @@ pub struct Machine {
     pub corner_style: Option<CornerStyle>,
     /// How its programs are written. Absent: the file has no `gcode` table for it.
     pub gcode: Option<GcodeSettings>,
+    /// Clearance from obstacles by tool number, millimetres.
+    pub tool_clearances_mm: BTreeMap<u32, f64>,
+    /// Where the zeros of work offsets lie in the drawing, millimetres: 0 is G54, 5 is G59, 6 to 8 are G59.1 to G59.3.
+    pub offsets: BTreeMap<u8, Vector>,
+    /// How fast G0 moves.
+    pub rapid_mm_per_min: Option<f64>,
 }
 
 impl Machine {
@@ -79,6 +87,15 @@ impl Machine {
 /// [machine.plasma-2.speeds]
 /// arc_feed_mm_per_min = 6000       # needed unless arcs = "chords"
 /// straight_feed_mm_per_min = 9000  # needed for straight = "G1"
+/// rapid_mm_per_min = 20000         # absent: no times are told
+///
+/// [machine.plasma-2.tools]         # clearances by tool number; absent: clearance_mm
+/// 1 = { clearance_mm = 4.0 }
+/// 2 = { diameter_mm = 12.0, margin_mm = 1.0 }
+///
+/// [machine.plasma-2.offsets]       # where zeros of work offsets lie in the drawing; absent: G54 at its zero
+/// G54 = [0, 0]
+/// G55 = [300, 0]
 ///
 /// [machine.plasma-2.gcode]
 /// dialect = "linuxcnc"             # or "grbl", "fanuc"

@@ -97,7 +97,7 @@ fn unknown_keys_are_refused_with_line_and_known_names() {
         (
             "[machine.a]\nclearance = 2\n",
             "shop.toml:2: machine.a.clearance: unknown field `clearance`, expected one of `clearance_mm`, \
-             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`; correct this line",
+             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`, `tools`, `offsets`; correct this line",
         ),
         (
             "[machine.a.roles]\nobstacles = [\"*\"]\npart = [\"P\"]\n",
@@ -192,5 +192,27 @@ obstacles = ["CLAMPS", { select = "color:red", top_mm = 25.0, clearance_mm = 4.0
     ] {
         let message = refused(&format!("[machine.m.roles]\nobstacles = [{role}]\n"));
         assert!(message.contains(what) && message.starts_with("shop.toml:2: "), "{message}");
+    }
+}
+
+#[test]
+fn tools_offsets_and_the_speed_of_rapids_are_read() {
+    let text = "[machine.m.tools]\n3 = { diameter_mm = 12, margin_mm = 1 }\n7 = { clearance_mm = 4 }\n\
+                [machine.m.offsets]\nG55 = [300, -5.5]\n\"G59.1\" = [0, 0]\n\
+                [machine.m.speeds]\nrapid_mm_per_min = 20000\n";
+    let profiles = read(text).unwrap();
+    let machine = profiles.machine("m").unwrap();
+    assert_eq!(
+        machine.tool_clearances_mm.iter().map(|(n, c)| (*n, *c)).collect::<Vec<_>>(),
+        [(3, 7.0), (7, 4.0)]
+    );
+    assert_eq!(machine.offsets.keys().copied().collect::<Vec<_>>(), [1, 6]);
+    assert_eq!(machine.rapid_mm_per_min, Some(20000.0));
+    let refused = refused(
+        "[machine.m.tools]\n3 = { diameter_mm = 12 }\nx = { clearance_mm = 1 }\n4 = { clearance_mm = -1 }\n\
+         [machine.m.offsets]\nG60 = [0, 0]\nG54 = [1e9, 0]\n[machine.m.speeds]\nrapid_mm_per_min = 0\n",
+    );
+    for line in [2, 3, 4, 6, 7, 9] {
+        assert!(refused.contains(&format!("shop.toml:{line}: machine.m.")), "{line}: {refused}");
     }
 }

@@ -26,8 +26,8 @@ const LONGEST: f64 = 260.0;
 const MOST_ANCHORS: usize = 40;
 /// So many edges of the scene are kept free of ids.
 const MOST_EDGES: usize = 20_000;
-/// Ends of so many moves are named.
-const NAMED_MOVES: usize = 8;
+/// Ends of so many moves are named; of more, the legend explains the marks.
+const NAMED_MOVES: usize = 3;
 /// Names keep off barriers up to this width, where there is a choice, canvas units.
 const WIDEST_BARRIER: f64 = 24.0;
 /// Scenes with more obstacles than this are labelled inside the obstacles only.
@@ -51,7 +51,7 @@ pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, fr
             places.take(Box2::around(frame.place(*end), size * (MARK_RADIUS + 2.0)));
         }
     }
-    for (start, target) in ends.iter().take(NAMED_MOVES) {
+    for (start, target) in ends.iter().filter(|_| ends.len() <= NAMED_MOVES) {
         for (end, name) in [(start, "start"), (target, "target")] {
             end_name(svg, &mut places, frame.place(*end), name, barrier);
         }

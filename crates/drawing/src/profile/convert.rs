@@ -32,19 +32,19 @@ pub(crate) fn machines(raw: RawProfiles, text: &str) -> Result<Vec<Machine>, Vec
     if findings.is_empty() { Ok(machines) } else { Err(findings) }
 }
 
-struct Check<'a> {
+pub(super) struct Check<'a> {
     table: String,
     lines: &'a LineIndex,
     findings: &'a mut Vec<ProfileFinding>,
 }
 
 impl Check<'_> {
-    fn add(&mut self, line: usize, key: &str, message: impl Into<String>) {
+    pub(super) fn add(&mut self, line: usize, key: &str, message: impl Into<String>) {
         let key = if key.is_empty() { self.table.clone() } else { format!("{}.{key}", self.table) };
         self.findings.push(ProfileFinding { line, key, message: message.into() });
     }
 
-    fn line_of<T>(&self, value: &Spanned<T>) -> usize {
+    pub(super) fn line_of<T>(&self, value: &Spanned<T>) -> usize {
         self.lines.line(value.span().start)
     }
 
@@ -58,6 +58,9 @@ impl Check<'_> {
             clearance_mm: self.clearance("clearance_mm", raw.clearance_mm),
             border_clearance_mm: self.clearance("border_clearance_mm", raw.border_clearance_mm),
             corner_style,
+            tool_clearances_mm: self.tools(raw.tools),
+            offsets: self.offsets(raw.offsets),
+            rapid_mm_per_min: self.rapid_speed(&raw.speeds),
             gcode: raw.gcode.map(|gcode| self.gcode(gcode, &raw.speeds)),
             name,
         }
@@ -120,7 +123,7 @@ impl Check<'_> {
         Some(clearance)
     }
 
-    fn clearance_in_range(&mut self, line: usize, key: &str, clearance: f64) {
+    pub(super) fn clearance_in_range(&mut self, line: usize, key: &str, clearance: f64) {
         if clearance != 0.0 && !(SMALLEST_CLEARANCE_MM..=LARGEST_CLEARANCE_MM).contains(&clearance) {
             let (least, largest) = (SMALLEST_CLEARANCE_MM, LARGEST_CLEARANCE_MM);
             self.add(line, key, format!("{clearance} is no clearance; use 0, or {least} to {largest} mm"));

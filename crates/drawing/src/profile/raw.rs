@@ -24,6 +24,19 @@ pub(crate) struct RawMachine {
     #[serde(default)]
     pub(crate) speeds: RawSpeeds,
     pub(crate) gcode: Option<Spanned<RawGcode>>,
+    #[serde(default)]
+    pub(crate) tools: BTreeMap<String, Spanned<RawTool>>,
+    #[serde(default)]
+    pub(crate) offsets: BTreeMap<String, Spanned<[f64; 2]>>,
+}
+
+/// A tool: its clearance, or what that is made of.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawTool {
+    pub(crate) clearance_mm: Option<f64>,
+    pub(crate) diameter_mm: Option<f64>,
+    pub(crate) margin_mm: Option<f64>,
 }
 
 #[derive(Clone, Copy, PartialEq, Deserialize)]
@@ -66,6 +79,7 @@ pub(crate) struct RawObstacleTable {
 pub(crate) struct RawSpeeds {
     pub(crate) arc_feed_mm_per_min: Option<Spanned<f64>>,
     pub(crate) straight_feed_mm_per_min: Option<Spanned<f64>>,
+    pub(crate) rapid_mm_per_min: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize)]

@@ -1,0 +1,119 @@
+//! `traverse rapid --program`: the rapid moves of a G-code program.
+
+use crate::arguments::Rapid;
+use crate::failure::Failure;
+use crate::picture_file::write_picture;
+use crate::program_table::ProgramTable;
+use crate::rapid::{Output, kind_of};
+use crate::{drawing_scene, input};
+use std::path::Path as FilePath;
+use std::time::Instant;
+use traverse_drawing::{ArcMotion, GcodePlane, GcodeUnit, Machine, Shown, picture_of_plan};
+use traverse_geometry::Path;
+use traverse_programs::{
+    Done, Link, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
+};
+use traverse_solve::Budget;
+
+pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
+    for output in &arguments.output {
+        if !matches!(kind_of(output)?, Output::Program | Output::Picture(_)) {
+            return Err(Failure::Input(format!(
+                "{}: a program is written to .nc, .ngc, .gcode or .tap, its picture to .svg or .png",
+                output.display()
+            )));
+        }
+    }
+    if arguments.clearance.len() > 1 {
+        return Err(Failure::Input(
+            "--program takes one clearance; those of tools are the profile's".to_owned(),
+        ));
+    }
+    let machine = drawing_scene::machine(&arguments.file)?;
+    let (read_options, write_options) = options(arguments, machine.as_ref())?;
+    let bytes = input::read(file)?;
+    let program = Program::read(&bytes, &read_options)
+        .map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    let (any, by_tool) = drawing_scene::scenes_by_tool(arguments, machine.as_ref())?;
+    let scenes = ToolScenes { any, by_tool, safe_z_mm: arguments.safe_z };
+    let mut budget = Budget::unlimited();
+    budget.deadline = arguments.time_limit.and_then(|limit| Instant::now().checked_add(limit));
+    let rewritten = rewrite(&program, &ScenePlanner::new(&scenes, &budget), &write_options);
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    for output in &arguments.output {
+        match kind_of(output)? {
+            Output::Picture(kind) => {
+                let svg = picture(&scenes, &program, &rewritten, &name);
+                write_picture(output, kind, &svg, arguments.width)?;
+            }
+            _ => input::write(output, &rewritten.text)?,
+        }
+        say!("wrote {}", output.display());
+    }
+    let table = ProgramTable {
+        program: &program,
+        rewritten: &rewritten,
+        rapid_mm_per_min: machine.as_ref().and_then(|machine| machine.rapid_mm_per_min),
+        arc_mm_per_min: match write_options.arcs {
+            ArcMotion::Fed { feed_mm_per_min } => Some(feed_mm_per_min),
+            ArcMotion::Chords { .. } => None,
+        },
+    };
+    say!("{table}");
+    match rewritten.outcomes.iter().filter(|outcome| outcome.still_hits()).count() {
+        0 => Ok(()),
+        1 => {
+            Err(Failure::Violations("1 rapid move still comes too near to something (see above)".to_owned()))
+        }
+        count => Err(Failure::Violations(format!(
+            "{count} rapid moves still come too near to something (see above)"
+        ))),
+    }
+}
+
+/// What the profile says of programs, and the command line over it.
+fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<(ReadOptions, WriteOptions), Failure> {
+    let gcode = machine.and_then(|machine| machine.gcode.as_ref());
+    let mut read = ReadOptions::new(gcode.map_or(GcodeUnit::Millimetres, |gcode| gcode.unit));
+    let mut write = WriteOptions::default();
+    if let Some(gcode) = gcode {
+        if gcode.plane != GcodePlane::Xy {
+            return Err(Failure::Input(
+                "programs of lathes are not read yet; use a profile with plane = \"G17\"".to_owned(),
+            ));
+        }
+        read.dialect = Some(gcode.dialect);
+        (write.straight, write.arcs, write.decimals) = (gcode.straight, gcode.arcs, gcode.decimals);
+    }
+    if let Some(feed_mm_per_min) = arguments.arc_feed {
+        if !(1.0..=1e6).contains(&feed_mm_per_min) {
+            return Err(Failure::Input(format!(
+                "--arc-feed {feed_mm_per_min} is out of range; use 1 to 1000000 mm/min"
+            )));
+        }
+        write.arcs = ArcMotion::Fed { feed_mm_per_min };
+    }
+    read.start = arguments.from;
+    for (number, origin) in machine.iter().flat_map(|machine| &machine.offsets) {
+        read.offsets.set(*number, *origin);
+    }
+    Ok((read, write))
+}
+
+/// Every way that is known and does not pass over everything, as it was and as it is.
+fn picture(scenes: &ToolScenes, program: &Program<'_>, rewritten: &Rewritten, title: &str) -> String {
+    let passes_over = |link: &Link| {
+        link.heights.lowest().zip(scenes.safe_z_mm).is_some_and(|(lowest, safe)| lowest >= safe)
+    };
+    let shown = program.links.iter().zip(&rewritten.outcomes).filter(|(link, _)| !passes_over(link));
+    let (before, after): (Vec<Path>, Vec<Path>) = shown
+        .map(|(link, outcome)| {
+            let before = link.path();
+            match &outcome.done {
+                Done::Changed(path) => (before, path.clone()),
+                _ => (before.clone(), before),
+            }
+        })
+        .unzip();
+    picture_of_plan(&scenes.any, Shown::Change { before: &before, after: &after }, title)
+}

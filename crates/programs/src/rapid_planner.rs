@@ -1,0 +1,53 @@
+//! The seam between programs and whoever knows what lies in the way.
+
+use crate::reason::Reason;
+use traverse_geometry::{Path, Point};
+
+/// A way to find: from here to there, by this tool, at this height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Travel {
+    /// Where it begins, in the drawing, millimetres.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// The lowest height on the way, in the program's coordinates, millimetres; none: it is not known, so everything
+    /// counts that could be in the way.
+    pub z: Option<f64>,
+    /// The tool's number, if the program has said one.
+    pub tool: Option<u32>,
+    /// Whether `tool` can be relied on: otherwise the largest clearance counts.
+    pub tool_is_known: bool,
+}
+
+/// What lies on a way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Ids of what it comes too near to; empty: it is free.
+    pub hits: Vec<String>,
+    /// The least distance beyond the clearance, millimetres; none: nothing is near enough to tell.
+    pub margin_mm: Option<f64>,
+}
+
+impl Found {
+    /// Whether nothing is in the way.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.hits.is_empty()
+    }
+}
+
+/// Knows what lies in the way of rapid moves: in the plane, or at heights.
+///
+/// A planner that knows heights answers [`RapidPlanner::look`] by what reaches up to `z`. To replace whole links of
+/// retract, travel and plunge it would answer a level beside the path; [`crate::Link`] already says which lines those
+/// are.
+pub trait RapidPlanner {
+    /// What lies on `path`, by code that shares nothing with the planning.
+    fn look(&self, travel: &Travel, path: &Path) -> Found;
+
+    /// The shortest free way, with `reserve_mm` more room than asked for: what rounding its numbers may use up.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn shortest(&self, travel: &Travel, reserve_mm: f64) -> Result<Path, Reason>;
+}

@@ -1,0 +1,200 @@
+//! Plans and checks in the plane: obstacles reach up without end, but for a height above which nothing is in the way.
+
+use crate::rapid_planner::{Found, RapidPlanner, Travel};
+use crate::reason::Reason;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::rc::Rc;
+use traverse_checker::RapidMoveChecker;
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point, RapidRules, Scene, unit};
+use traverse_planner::{Algorithm, Answer, RapidMove, Refusal, plan_rapid_move};
+use traverse_solve::{Budget, Silent};
+
+/// An end within the reserve is left by a step of so many reserves.
+const STEP_OUT_RESERVES: f64 = 3.0;
+
+/// In so many directions.
+const STEP_OUT_DIRECTIONS: u32 = 16;
+
+/// Scenes by tool.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolScenes {
+    /// For tools that are not named.
+    pub any: Scene,
+    /// For these tools: the same obstacles with other clearances.
+    pub by_tool: BTreeMap<u32, Scene>,
+    /// At this height, in the program's coordinates, and above it nothing is in the way. Absent: nowhere.
+    pub safe_z_mm: Option<f64>,
+}
+
+/// Plans round the obstacles of scenes.
+pub struct ScenePlanner<'a> {
+    scenes: &'a ToolScenes,
+    budget: &'a Budget,
+    any: Prepared<'a>,
+    by_tool: BTreeMap<u32, Prepared<'a>>,
+}
+
+struct Prepared<'a> {
+    scene: &'a Scene,
+    checker: RapidMoveChecker<'a>,
+    /// Scenes with more clearance, by the bits of how much more.
+    wider: RefCell<BTreeMap<u64, Rc<Scene>>>,
+}
+
+impl<'a> Prepared<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        Self { scene, checker: RapidMoveChecker::new(scene), wider: RefCell::default() }
+    }
+
+    fn wider(&self, reserve_mm: f64) -> Rc<Scene> {
+        let make = || {
+            let mut scene = self.scene.clone();
+            scene.clearance_mm += reserve_mm;
+            scene.work_area_clearance_mm =
+                scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
+            for obstacle in &mut scene.obstacles {
+                obstacle.clearance_mm = obstacle.clearance_mm.map(|clearance| clearance + reserve_mm);
+            }
+            Rc::new(scene)
+        };
+        self.wider.borrow_mut().entry(reserve_mm.to_bits()).or_insert_with(make).clone()
+    }
+}
+
+impl<'a> ScenePlanner<'a> {
+    /// Makes the scenes ready. Cost: O(n log n) for n vertices, for each.
+    #[must_use]
+    pub fn new(scenes: &'a ToolScenes, budget: &'a Budget) -> Self {
+        Self {
+            scenes,
+            budget,
+            any: Prepared::new(&scenes.any),
+            by_tool: scenes.by_tool.iter().map(|(tool, scene)| (*tool, Prepared::new(scene))).collect(),
+        }
+    }
+
+    fn prepared(&self, travel: &Travel) -> &Prepared<'a> {
+        if !travel.tool_is_known {
+            let all = self.by_tool.values().chain([&self.any]);
+            let clearance = |prepared: &&Prepared<'_>| prepared.scene.clearance_mm;
+            return all.max_by(|a, b| clearance(a).total_cmp(&clearance(b))).unwrap_or(&self.any);
+        }
+        travel.tool.and_then(|tool| self.by_tool.get(&tool)).unwrap_or(&self.any)
+    }
+
+    fn is_above_all(&self, travel: &Travel) -> bool {
+        travel.z.zip(self.scenes.safe_z_mm).is_some_and(|(z, safe)| z >= safe)
+    }
+
+    fn plan(&self, scene: &Scene, from: Point, to: Point) -> Result<Path, Stop> {
+        let (algorithm, rules) = (Algorithm::Exact, RapidRules::default());
+        let query = RapidMove { start: from, target: to, algorithm, rules };
+        match plan_rapid_move(scene, &query, self.budget, &mut Silent).map_err(Stop::Refused)? {
+            (Answer::Plan(plan), _) => Ok(plan.path),
+            (Answer::NoPath(no_path), _) => Err(Stop::NoPath(no_path.separating_obstacles)),
+        }
+    }
+
+    /// Why there is no way in the scene with the reserve; what the reserve alone is to blame for is its fault.
+    fn reason(&self, prepared: &Prepared<'_>, travel: &Travel, stop: &Stop, reserve_mm: f64) -> Reason {
+        let refusals = match stop {
+            Stop::Refused(refusals) => refusals,
+            Stop::NoPath(_) => match self.plan(prepared.scene, travel.from, travel.to) {
+                Err(Stop::NoPath(separating)) => return Reason::NoPath { separating },
+                _ => return Reason::Rounding,
+            },
+        };
+        refusals.iter().find_map(|refusal| too_deep(refusal, reserve_mm)).unwrap_or(Reason::Rounding)
+    }
+
+    /// A point beside `end` that keeps the reserve, and can be reached from it straight.
+    fn step_out(&self, prepared: &Prepared<'_>, wider: &Scene, end: Point, reserve_mm: f64) -> Option<Point> {
+        (0..STEP_OUT_DIRECTIONS).find_map(|direction| {
+            let angle = TAU * f64::from(direction) / f64::from(STEP_OUT_DIRECTIONS);
+            let beside = end + unit(angle) * (STEP_OUT_RESERVES * reserve_mm);
+            let mut path = Path::at(end);
+            path.line_to(beside);
+            let free = prepared.checker.check(end, beside, &path, CONTACT_TOLERANCE_MM).is_sound();
+            (free && self.plan(wider, beside, beside).is_ok()).then_some(beside)
+        })
+    }
+}
+
+/// Why the planner has no path.
+enum Stop {
+    NoPath(Vec<String>),
+    Refused(Vec<Refusal>),
+}
+
+impl Stop {
+    /// Whether an end lies inside a barrier.
+    fn names(&self, which: &str) -> bool {
+        let Self::Refused(refusals) = self else { return false };
+        let is_end =
+            |refusal: &Refusal| matches!(refusal, Refusal::EndInsideBarrier { field, .. } if *field == which);
+        refusals.iter().any(is_end)
+    }
+}
+
+impl RapidPlanner for ScenePlanner<'_> {
+    fn look(&self, travel: &Travel, path: &Path) -> Found {
+        if self.is_above_all(travel) {
+            return Found { hits: Vec::new(), margin_mm: None };
+        }
+        let checker = &self.prepared(travel).checker;
+        let check = checker.check(path.start, path.end(), path, CONTACT_TOLERANCE_MM);
+        let mut hits: Vec<String> = Vec::new();
+        for violation in check.violations {
+            let id = violation.obstacle.unwrap_or_else(|| violation.reason.to_string());
+            if !hits.contains(&id) {
+                hits.push(id);
+            }
+        }
+        Found { hits, margin_mm: check.smallest_margin_mm }
+    }
+
+    fn shortest(&self, travel: &Travel, reserve_mm: f64) -> Result<Path, Reason> {
+        let prepared = self.prepared(travel);
+        let wider = prepared.wider(reserve_mm);
+        let stop = match self.plan(&wider, travel.from, travel.to) {
+            Ok(path) => return Ok(path),
+            Err(stop) => stop,
+        };
+        let reason = self.reason(prepared, travel, &stop, reserve_mm);
+        if reason != Reason::Rounding || matches!(stop, Stop::NoPath(_)) {
+            return Err(reason);
+        }
+        // Ends that keep the clearance but not the reserve are left by a small step first.
+        let leave = |which: &str, end: Point| {
+            let out = || self.step_out(prepared, &wider, end, reserve_mm).ok_or(Reason::Rounding);
+            if stop.names(which) { out() } else { Ok(end) }
+        };
+        let (from, to) = (leave("start", travel.from)?, leave("target", travel.to)?);
+        let between =
+            self.plan(&wider, from, to).map_err(|stop| self.reason(prepared, travel, &stop, reserve_mm))?;
+        let mut path = Path::at(travel.from);
+        path.line_to(from);
+        path.steps.extend(between.steps);
+        path.line_to(travel.to);
+        Ok(path)
+    }
+}
+
+/// What a refusal means, unless it is only the reserve that is used up.
+fn too_deep(refusal: &Refusal, reserve_mm: f64) -> Option<Reason> {
+    match refusal {
+        Refusal::EndInsideBarrier { field, obstacle, depth_mm } => {
+            let depth_mm = depth_mm - reserve_mm;
+            (depth_mm > CONTACT_TOLERANCE_MM).then(|| Reason::EndInside {
+                end: field,
+                obstacle: obstacle.clone(),
+                depth_mm,
+            })
+        }
+        Refusal::EndShutIn { .. } => Some(Reason::Refused(refusal.to_string())),
+        Refusal::Interrupted { .. } => Some(Reason::Interrupted),
+        Refusal::PublishedMethodNotApplicable { why } => Some(Reason::Refused((*why).to_owned())),
+    }
+}
