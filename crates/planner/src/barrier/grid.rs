@@ -289,7 +289,7 @@ impl Grid {
 /// The cells of one axis between two places, grown by `reach`; an empty range when there is none.
 fn cells_between(low: f64, high: f64, reach: f64, per_cell: f64, count: usize) -> RangeInclusive<usize> {
     let (low, high) = ((low - reach) * per_cell, (high + reach) * per_cell);
-    if high < 0.0 || low >= count as f64 {
+    if count == 0 || high < 0.0 || low >= count as f64 {
         return RangeInclusive::new(1, 0);
     }
     // A cast from a float saturates.
@@ -357,6 +357,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn an_empty_grid_shows_nothing() {
+        let grid = Grid::new(&Load::NONE);
+        let shown = |_| ControlFlow::Break(());
+        let (from, to) = (Point::new(-1.0, -1.0), Point::new(1.0, 1.0));
+        assert_eq!(grid.along(from, to, shown), ControlFlow::Continue(()));
+        assert_eq!(grid.within(&Bounds::of([from, to]), shown), ControlFlow::Continue(()));
     }
 
     #[test]
