@@ -6,7 +6,11 @@
 //! The data's way: clearances are tried in turn (`rapid_move`); at each a [`traverse_geometry::Scene`] is taken apart
 //! into barriers (`barriers`, `barrier`), the ends are led out of them (`way_out`) and placed (`standing`), the levels
 //! that matter (`level`) are searched (`at_clearance`, `search`), and the route is traced back into moves (`trace`).
-//! Where there is no path, `feasible` says how much clearance one could keep. Beside it stands the scan published in 2008 (`supporting_lines`).
+//! Where there is no path, `feasible` says how much clearance one could keep. Beside it stands the scan published in
+//! 2008 (`supporting_lines`).
+//!
+//! Many moves in one scene, which may change between them, are planned in a [`PreparedScene`] (`prepared`): it keeps what
+//! can be seen from where, and answers what a fresh scene would.
 //!
 //! ```
 //! use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, RapidRules, Ring, Scene};
