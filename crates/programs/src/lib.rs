@@ -9,7 +9,7 @@
 //! use traverse_programs::{Done, Program, ReadOptions, ScenePlanner, ToolScenes, WriteOptions, rewrite};
 //! use traverse_solve::Budget;
 //!
-//! let clamp = Ring::from_xy(&[40.0, -10.0, 60.0, -10.0, 60.0, 30.0, 40.0, 30.0], &[]).expect("a valid ring");
+//! let clamp = Ring::from_xy(&[40.0, -10.0, 60.0, -10.0, 60.0, 30.0, 40.0, 30.0], &[]).expect("a box is a ring");
 //! let scene = Scene {
 //!     work_area: None,
 //!     obstacles: vec![Obstacle { id: "clamp".into(), shape: Polygon::from_ring(clamp), clearance_mm: None, top_z_mm: None }],
