@@ -51,6 +51,7 @@ mod ring_index;
 mod ring_validation;
 mod scene;
 mod scene_findings;
+mod section;
 mod segment;
 mod tolerance;
 
@@ -69,6 +70,7 @@ pub use polyline::Polyline;
 pub use rapid_rules::{CLEARANCE_CHOICES, EndRule, HeightRule, RapidRules};
 pub use ring::Ring;
 pub use scene::{CornerStyle, MITER_RATIO_LIMIT, Obstacle, Scene, WORK_AREA_ID};
+pub use section::{Part, PlacedSection, Pose, Section, SectionLayout, SlideRule};
 pub use segment::Segment;
 pub use tolerance::{
     ARC_RADIUS_RATIO, CONTACT_TOLERANCE_MM, COORDINATE_LIMIT_MM, CROSSING_WORK_LIMIT, FINDINGS_LIMIT,
