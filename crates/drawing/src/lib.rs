@@ -26,6 +26,7 @@
 
 mod box_pairs;
 mod color;
+mod counted;
 mod crossing_loops;
 mod curve;
 mod drawing;
