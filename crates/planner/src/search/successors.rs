@@ -59,13 +59,17 @@ impl Tree<'_> {
     pub(super) fn push_tangent(&mut self, ground: &impl Ground, stance: u32, other: u32, side: Side) {
         let from = &self.stances[stance as usize].from;
         let circle = ground.feature(other);
+        let mut along_border = None;
         if let From::Feature(departure) = from {
             let lane = departure.lane;
             if lane.feature == other || lane.side == side && ground.goes_over(lane.feature, other) {
                 return;
             }
+            if lane.side == side {
+                along_border = ground.along_border(lane.feature, other, side).map(Leg::as_planned);
+            }
         }
-        let Some(leg) = from.leg_to(circle, side, self.start.point) else { return };
+        let Some(leg) = along_border.or_else(|| from.leg_to(circle, side, self.start.point)) else { return };
         let Some(offset) = circle.offset_of(-leg.planned.normal * side.sign(), leg.planned.angle_error)
         else {
             return;
