@@ -16,6 +16,7 @@ mod drawing_scene;
 mod failure;
 mod input;
 mod inspect;
+mod motion_arguments;
 mod picture_file;
 mod planning;
 mod program;

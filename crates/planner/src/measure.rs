@@ -38,9 +38,9 @@ pub(crate) trait Measure: Copy {
         true
     }
 
-    /// Whether the machine can run a straight move that nothing blocks.
-    fn can_run(self, _from: Point, _to: Point) -> bool {
-        true
+    /// Whose barriers leave a straight move that nothing blocks too little room for the machine to run it; none: it can.
+    fn cramped_by(self, _from: Point, _to: Point) -> Option<Vec<usize>> {
+        None
     }
 }
 

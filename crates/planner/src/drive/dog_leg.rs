@@ -10,6 +10,7 @@
 use super::pair::Pair;
 use super::{Driver, ON_LINE_MM};
 use crate::measure::{AxisTime, Measure};
+use std::ops::ControlFlow;
 use traverse_geometry::{AxisSpeeds, Path, Point, Segment, Vector};
 use traverse_solve::Interrupt;
 
@@ -20,14 +21,14 @@ const PIECE_LIMIT: usize = 1024;
 const SHORTEST_PIECE_MM: f64 = 1e-6;
 
 impl Driver<'_> {
-    /// Adds a straight move as dog-legs; false where they have no room.
+    /// Adds a straight move as dog-legs. Where they have no room: whose barriers leave none.
     pub(super) fn dog_legs(
         &self,
         path: &mut Path,
         speeds: &AxisSpeeds,
         from: Pair,
         to: Pair,
-    ) -> Result<bool, Interrupt> {
+    ) -> Result<Option<Vec<usize>>, Interrupt> {
         let mut open = vec![(from, to)];
         let mut count = 0;
         while let Some((from, to)) = open.pop() {
@@ -43,14 +44,36 @@ impl Driver<'_> {
             } else {
                 count += 1;
                 if count >= PIECE_LIMIT || (to.planned - from.planned).norm() < SHORTEST_PIECE_MM {
-                    return Ok(false);
+                    let ways = [
+                        (from.planned, corner),
+                        (corner, to.planned),
+                        (from.planned, other),
+                        (other, to.planned),
+                    ];
+                    return Ok(Some(self.in_the_way(&ways)));
                 }
                 let middle = from.middle(to);
                 open.push((middle, to));
                 open.push((from, middle));
             }
         }
-        Ok(true)
+        Ok(None)
+    }
+
+    /// Whose barriers block any of some straight moves.
+    fn in_the_way(&self, moves: &[(Point, Point)]) -> Vec<usize> {
+        let mut owners = Vec::new();
+        for &(from, to) in moves.iter().filter(|(from, to)| from != to) {
+            self.barriers.blocking(&Segment::new(from, to), |blocker| {
+                if !self.left_out.contains(&blocker.owner) {
+                    owners.push(blocker.owner);
+                }
+                ControlFlow::Continue(())
+            });
+        }
+        owners.sort_unstable();
+        owners.dedup();
+        owners
     }
 }
 
@@ -105,11 +128,11 @@ impl Measure for DogLegTime<'_> {
         self.time.arc(radius, from, sweep)
     }
 
-    /// No where the budget ends; the search sees that by itself.
-    fn can_run(self, from: Point, to: Point) -> bool {
+    /// By nobody where the budget ends; the search sees that by itself.
+    fn cramped_by(self, from: Point, to: Point) -> Option<Vec<usize>> {
         let pair = |p| Pair { planned: p, priced: p };
         let mut path = Path::at(from);
-        self.driver.dog_legs(&mut path, self.speeds, pair(from), pair(to)).unwrap_or(false)
+        self.driver.dog_legs(&mut path, self.speeds, pair(from), pair(to)).ok().flatten()
     }
 }
 

@@ -76,7 +76,7 @@ impl Driver<'_> {
     /// Adds a straight move; false where there is no room for it.
     fn straight(&self, path: &mut Path, from: Pair, to: Pair) -> Result<bool, Interrupt> {
         match &self.dog_leg {
-            Some(speeds) => self.dog_legs(path, speeds, from, to),
+            Some(speeds) => Ok(self.dog_legs(path, speeds, from, to)?.is_none()),
             None => {
                 extend(path, to.priced);
                 Ok(true)

@@ -122,7 +122,17 @@ impl<'a, M: Measure> Search<'a, M> {
     fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
         let Some(leg) = self.tree.leg(&self.known, label) else { return Ok(true) };
         match self.known.way(leg.planned.from, leg.planned.to) {
-            Way::Free => Ok(self.tree.measure.can_run(leg.planned.from, leg.planned.to)),
+            Way::Free => match self.tree.measure.cramped_by(leg.planned.from, leg.planned.to) {
+                None => Ok(true),
+                Some(owners) => {
+                    for owner in owners {
+                        if !self.known.was_met(owner) {
+                            self.meet(owner, budget)?;
+                        }
+                    }
+                    Ok(false)
+                }
+            },
             Way::Blocked => Ok(false),
             Way::Meets(owner) => self.meet(owner, budget).map(|()| false),
         }
