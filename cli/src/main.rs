@@ -11,6 +11,7 @@ macro_rules! say {
 mod arguments;
 mod call;
 mod check;
+mod clock;
 mod demo;
 mod drawing_scene;
 mod failure;

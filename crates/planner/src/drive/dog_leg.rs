@@ -17,6 +17,9 @@ use traverse_solve::Interrupt;
 /// Most pieces that a straight move is cut into.
 const PIECE_LIMIT: usize = 1024;
 
+/// Most steps of a plan in dog-legs: less than what a check takes.
+const STEP_LIMIT: usize = 20_000;
+
 /// Pieces shorter than this are not cut up, millimetres.
 const SHORTEST_PIECE_MM: f64 = 1e-6;
 
@@ -43,7 +46,8 @@ impl Driver<'_> {
                 push(path, speeds, to.priced);
             } else {
                 count += 1;
-                if count >= PIECE_LIMIT || (to.planned - from.planned).norm() < SHORTEST_PIECE_MM {
+                let is_long = count >= PIECE_LIMIT || path.steps.len() >= STEP_LIMIT;
+                if is_long || (to.planned - from.planned).norm() < SHORTEST_PIECE_MM {
                     let ways = [
                         (from.planned, corner),
                         (corner, to.planned),
