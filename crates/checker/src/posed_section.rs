@@ -45,11 +45,6 @@ impl PosedSection {
         Some(Self { scene, boundary, tree, bounds, witnesses })
     }
 
-    /// Millimetres along the strip.
-    pub(crate) fn width(&self) -> f64 {
-        self.bounds.max.x
-    }
-
     /// The id of a part.
     pub(crate) fn part_id(&self, solid: u32) -> &str {
         &self.scene.obstacles[solid as usize].id

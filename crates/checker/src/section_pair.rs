@@ -144,6 +144,11 @@ impl Side<'_> {
             };
             let parts = around.parts_inside(&curve, part, &touched);
             worst = nearer(worst, around.deepest(&curve, part, &parts));
+            // Corners are where parts lie deepest.
+            if parts.first().is_some_and(|part| part.0 == 0.0) {
+                let corner = Curve::straight(curve.start(), curve.start());
+                worst = nearer(worst, around.deepest(&corner, part, &[(0.0, 1.0)]));
+            }
         }
         for &witness in &mover.witnesses[moved_part as usize] {
             let at = witness + shift;
