@@ -53,6 +53,7 @@ mod role_loops;
 mod roles;
 mod scene_from_drawing;
 mod scene_report;
+mod sections;
 mod selector;
 mod sniff;
 mod source;
@@ -88,8 +89,12 @@ pub use read_drawing::{read_drawing, read_drawing_from};
 pub use roles::{ObstacleRole, Role, Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};
 pub use scene_report::{LayerUse, SceneError, SceneFromDrawing, SceneReport};
+pub use sections::{
+    BlockRules, PartSet, PartSetError, Piece, SectionOptions, SectionsBy, SectionsError, SectionsFromDrawing,
+    build_blocks, read_part_set, sections_from_drawing,
+};
 pub use selector::Selector;
-pub use source::Source;
+pub use source::{DrawnGroup, Source};
 pub use svg::{read_svg, read_svg_from};
 pub use unit::LengthUnit;
 pub use unused::{Unused, WhyUnused};

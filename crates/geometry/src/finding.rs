@@ -114,6 +114,8 @@ reasons! {
     TooMany = "TOO_MANY",
     /// A setting that has no meaning together with another one.
     NotApplicable = "NOT_APPLICABLE",
+    /// An id that stands for nothing in the request.
+    UnknownId = "UNKNOWN_ID",
 }
 
 impl fmt::Display for Reason {

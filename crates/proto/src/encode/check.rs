@@ -1,8 +1,8 @@
-//! CheckRapidMove's answer.
+//! The checker's answers.
 
 use super::path::point;
 use crate::v1;
-use traverse_checker::{PathCheck, Violation};
+use traverse_checker::{PathCheck, SectionsCheck, Violation};
 
 /// The checker's findings as their message.
 #[must_use]
@@ -12,6 +12,16 @@ pub fn check_answer(check: &PathCheck) -> v1::CheckRapidMoveResponse {
         cost: check.cost,
         smallest_margin_mm: check.smallest_margin_mm,
         clearance_mm: check.clearance_mm,
+    }
+}
+
+/// The checker's findings about a layout as their message.
+#[must_use]
+pub fn check_sections_answer(check: &SectionsCheck) -> v1::CheckSectionsResponse {
+    v1::CheckSectionsResponse {
+        violations: check.violations.iter().map(violation).collect(),
+        length_mm: check.length_mm,
+        smallest_margin_mm: check.smallest_margin_mm,
     }
 }
 
