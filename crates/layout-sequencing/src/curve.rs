@@ -149,7 +149,8 @@ mod tests {
     #[test]
     fn crests_are_where_sums_are_largest() {
         let line = Curve::line(Point::new(0.0, 0.0), Point::new(3.0, 4.0));
-        let (right, small, hollow) = (arc(0.0, 0.0, 5.0, 1.0), arc(0.0, 2.0, 2.5, 1.0), arc(9.0, -1.0, 9.0, -1.0));
+        let (right, small, hollow) =
+            (arc(0.0, 0.0, 5.0, 1.0), arc(0.0, 2.0, 2.5, 1.0), arc(9.0, -1.0, 9.0, -1.0));
         for (a, b) in [(line, right), (right, line), (right, small), (hollow, right), (small, hollow)] {
             let y = a.crest(&b).unwrap();
             let sum = |y: f64| a.x(y) + b.x(y);

@@ -45,9 +45,7 @@ impl Envelope {
         if points.is_empty() {
             return;
         }
-        points.sort_by(|a, b| {
-            a.low.total_cmp(&b.low).then(b.curve.x(b.low).total_cmp(&a.curve.x(a.low)))
-        });
+        points.sort_by(|a, b| a.low.total_cmp(&b.low).then(b.curve.x(b.low).total_cmp(&a.curve.x(a.low))));
         points.dedup_by(|next, kept| next.low == kept.low);
         let mut pieces = Vec::with_capacity(self.pieces.len() + 2 * points.len());
         let mut points = points.into_iter().peekable();

@@ -48,6 +48,8 @@ pub(crate) struct Instance {
     pub(crate) last: Option<usize>,
     /// Pairs of kinds.
     pub(crate) precedences: Vec<(usize, usize)>,
+    /// The same with all that follows from them.
+    before: rustc_hash::FxHashSet<(usize, usize)>,
     forbidden: rustc_hash::FxHashSet<(usize, usize)>,
     /// The largest of all reaches.
     pub(crate) longest_reach: i64,
@@ -73,7 +75,8 @@ impl Likeness {
             let shape = part.in_section();
             let outer = shape.outer();
             numbers.push(outer.len() as u64);
-            numbers.extend(outer.vertices().iter().flat_map(|vertex| [vertex.x.to_bits(), vertex.y.to_bits()]));
+            numbers
+                .extend(outer.vertices().iter().flat_map(|vertex| [vertex.x.to_bits(), vertex.y.to_bits()]));
             numbers.push(outer.bulges().len() as u64);
             numbers.extend(outer.bulges().iter().map(|bulge| bulge.to_bits()));
         }
@@ -90,7 +93,8 @@ impl Instance {
     /// The instance of a layout without findings. Cost: O(n log n) for the envelopes; for the offsets linear in the
     /// vertices for each pair of items, when there are few enough to keep them all.
     pub(crate) fn of(layout: &SectionLayout, threads: usize, budget: &Budget) -> Result<Self, Interrupt> {
-        let mut instance = Self::without_offsets(layout, &|section| layout.sections[section].poses.clone(), budget)?;
+        let mut instance =
+            Self::without_offsets(layout, &|section| layout.sections[section].poses.clone(), budget)?;
         instance.offsets = Offsets::of(&instance.items, instance.grid, threads, budget)?;
         Ok(instance)
     }
@@ -124,6 +128,7 @@ impl Instance {
             first: None,
             last: None,
             precedences: vec![],
+            before: rustc_hash::FxHashSet::default(),
             forbidden: rustc_hash::FxHashSet::default(),
             longest_reach: 0,
             copies: 0,
@@ -136,7 +141,9 @@ impl Instance {
         instance.last = layout.last.map(kind_of);
         instance.precedences = layout.precedences.iter().map(|&(a, b)| (kind_of(a), kind_of(b))).collect();
         instance.forbidden = layout.forbidden_joins.iter().map(|&(a, b)| (kind_of(a), kind_of(b))).collect();
-        let longest = instance.items.iter().map(|item| item.profile.width).fold(0.0, f64::max) + layout.gap_mm;
+        instance.before = transitive(&instance.precedences, instance.kinds.len(), budget)?;
+        let longest =
+            instance.items.iter().map(|item| item.profile.width).fold(0.0, f64::max) + layout.gap_mm;
         instance.grid = Grid::for_lengths_up_to(longest);
         let grid = instance.grid;
         for item in &mut instance.items {
@@ -205,6 +212,25 @@ impl Instance {
         !self.forbidden.is_empty()
     }
 
+    /// Whether all copies of one kind come before all of the other.
+    pub(crate) fn comes_before(&self, before: usize, after: usize) -> bool {
+        self.before.contains(&(before, after))
+    }
+
+    /// The least cost of one kind behind another in any poses, as a path of kinds counts it: what the offset leaves of
+    /// the left one's width, 0 or less where joining saves something. Nothing where the join is forbidden. With the free
+    /// rule as if order were kept: no bound then.
+    pub(crate) fn kind_cost(&self, left: usize, right: usize) -> Option<i64> {
+        if !self.may_join(left, right) {
+            return None;
+        }
+        let width = self.items[self.kinds[left].items.start].width;
+        let offset = |(i, j)| self.offset(i, j).max(0);
+        let pairs =
+            self.kinds[left].items.clone().flat_map(|i| self.kinds[right].items.clone().map(move |j| (i, j)));
+        pairs.map(offset).min().map(|offset| offset - width)
+    }
+
     /// How many copies a kind has.
     pub(crate) fn quantity(&self, kind: usize) -> usize {
         self.kinds[kind].copies.len()
@@ -213,6 +239,16 @@ impl Instance {
     /// Whether any kind has a pose to choose.
     pub(crate) fn has_choice_of_pose(&self) -> bool {
         self.items.len() > self.kinds.len()
+    }
+
+    /// How many sections the layout has.
+    pub(crate) fn sections(&self) -> usize {
+        self.kind_of_section.len()
+    }
+
+    /// The kind of a section.
+    pub(crate) fn kind_of(&self, section: usize) -> usize {
+        self.kind_of_section[section]
     }
 
     /// The item of a section in a pose; the kind's first when the pose is not allowed.
@@ -268,4 +304,27 @@ pub(crate) const NOTHING_IN_THE_WAY: i64 = i64::MIN / 4;
 /// A section's items when it stands alone, for calls that look at single joins.
 pub(crate) fn profile_of(section: &Section, pose: Pose, gap: f64) -> Profile {
     Silhouette::of(section, gap).profile(pose)
+}
+
+/// Pairs, and all that follows from them. Cost: kinds that are named, times pairs.
+fn transitive(
+    pairs: &[(usize, usize)],
+    kinds: usize,
+    budget: &Budget,
+) -> Result<rustc_hash::FxHashSet<(usize, usize)>, Interrupt> {
+    let mut after = vec![vec![]; kinds];
+    for &(before, later) in pairs {
+        after[before].push(later);
+    }
+    let mut all = rustc_hash::FxHashSet::default();
+    for kind in (0..kinds).filter(|&kind| !after[kind].is_empty()) {
+        budget.check(0)?;
+        let mut open = after[kind].clone();
+        while let Some(later) = open.pop() {
+            if all.insert((kind, later)) {
+                open.extend(&after[later]);
+            }
+        }
+    }
+    Ok(all)
 }

@@ -8,7 +8,7 @@ use crate::placing::Placing;
 use crate::profile::Profile;
 use crate::published_effect::Facing;
 use rustc_hash::FxHashMap;
-use traverse_geometry::{PlacedSection, Point, Pose, SectionLayout, SlideRule};
+use traverse_geometry::{PlacedSection, Point, Pose, SectionLayout};
 use traverse_solve::Budget;
 
 /// Places an order exactly: each section as far left as the slide rule lets it go. `order` names known sections in
@@ -50,9 +50,8 @@ pub fn place_as_published(layout: &SectionLayout, order: &[PlacedSection]) -> Ve
 pub fn layout_length_mm(layout: &SectionLayout, placed: &[PlacedSection]) -> f64 {
     let mut widths: FxHashMap<usize, f64> = FxHashMap::default();
     let ends = placed.iter().map(|placed| {
-        let width = widths
-            .entry(placed.section)
-            .or_insert_with(|| layout.sections[placed.section].bounds().size().x);
+        let width =
+            widths.entry(placed.section).or_insert_with(|| layout.sections[placed.section].bounds().size().x);
         placed.x_mm + *width
     });
     ends.fold(0.0, f64::max)
@@ -111,9 +110,4 @@ const CONTACT_MM: f64 = 2e-6;
 pub(crate) fn published_length_mm(layout: &SectionLayout, order: &[PlacedSection]) -> f64 {
     let placed = place_as_published(layout, order);
     placed.last().map_or(0.0, |last| last.x_mm + layout.sections[last.section].bounds().size().x)
-}
-
-/// Whether the rule lets no section pass the one before it.
-pub(crate) fn keeps_order(layout: &SectionLayout) -> bool {
-    layout.slide_rule == SlideRule::KeepOrder
 }

@@ -26,12 +26,7 @@ impl Offsets {
     }
 
     /// All of them if they are few enough, on `threads` threads.
-    pub(crate) fn of(
-        items: &[Item],
-        grid: Grid,
-        threads: usize,
-        budget: &Budget,
-    ) -> Result<Self, Interrupt> {
+    pub(crate) fn of(items: &[Item], grid: Grid, threads: usize, budget: &Budget) -> Result<Self, Interrupt> {
         let count = items.len();
         let pieces: usize = items.iter().map(|item| item.profile.left.pieces.len()).sum();
         if count > MOST_ITEMS || count.saturating_mul(pieces) > MOST_WORK {

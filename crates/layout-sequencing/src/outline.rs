@@ -7,8 +7,8 @@
 
 use crate::curve::Curve;
 use crate::envelope::{Envelope, Piece};
-use traverse_geometry::{Arc, Edge, Point, Ring, Vector, cross};
 use std::f64::consts::{FRAC_PI_2, TAU};
+use traverse_geometry::{Arc, Edge, Point, Ring, Vector, cross};
 
 /// How far right rings reach at each height when each is grown by `gap`, millimetres, 0 or more.
 pub(crate) fn right_outline<'a>(rings: impl Iterator<Item = &'a Ring>, gap: f64) -> Envelope {
@@ -65,11 +65,7 @@ impl Outline {
             self.push(start.y + by.y, end.y + by.y, curve);
         } else if along.y == 0.0 && self.gap == 0.0 && along.x != 0.0 {
             let tip = if along.x > 0.0 { end } else { start };
-            self.points.push(Piece {
-                low: tip.y,
-                high: tip.y,
-                curve: Curve::Line { at: tip, slope: 0.0 },
-            });
+            self.points.push(Piece { low: tip.y, high: tip.y, curve: Curve::Line { at: tip, slope: 0.0 } });
         }
     }
 

@@ -36,8 +36,7 @@ impl Facing {
         let length = |part: &Polygon| part.bounds().size().x;
         let near_right = parts.iter().filter(|part| width - part.bounds().max.x < length(part));
         let near_left = parts.iter().filter(|part| part.bounds().min.x < length(part));
-        let mirrored: Vec<Ring> =
-            near_left.map(|part| part.outer().moved(&Motion::mirror_x())).collect();
+        let mirrored: Vec<Ring> = near_left.map(|part| part.outer().moved(&Motion::mirror_x())).collect();
         Self {
             width,
             right: Border::of(&near_right.map(|part| part.outer().clone()).collect::<Vec<_>>()),
@@ -47,9 +46,8 @@ impl Facing {
 
     /// The effect when `right` is joined to the right of this.
     pub(crate) fn effect(&self, right: &Self) -> f64 {
-        let ray = |from: &Point, to: &Border| {
-            to.reaches.x(from.y).map(|reaches| self.width - from.x - reaches)
-        };
+        let ray =
+            |from: &Point, to: &Border| to.reaches.x(from.y).map(|reaches| self.width - from.x - reaches);
         let rightwards = self.right.extremes.iter().filter_map(|from| ray(from, &right.left));
         let leftwards = right.left.extremes.iter().filter_map(|from| ray(from, &self.right));
         rightwards.chain(leftwards).fold(self.width, f64::min)

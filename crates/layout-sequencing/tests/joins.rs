@@ -56,7 +56,10 @@ fn joins_touch_and_come_no_nearer_on_the_way() {
                 let border = |rings: &[Ring], p: Point| {
                     rings.iter().map(|ring| ring.distance_to_point(p)).fold(f64::INFINITY, f64::min)
                 };
-                assert!(border(&stands, on_left) < 1e-7 && border(&slides(offset), on_right) < 1e-7, "{name}");
+                assert!(
+                    border(&stands, on_left) < 1e-7 && border(&slides(offset), on_right) < 1e-7,
+                    "{name}"
+                );
             }
         }
     }
@@ -113,7 +116,8 @@ fn the_matrix_holds_every_join_whatever_the_threads() {
         assert_eq!(matrix.items.len(), 13);
         for (i, left) in matrix.items.iter().enumerate() {
             for (j, right) in matrix.items.iter().enumerate() {
-                let of = |item: &traverse_layout_sequencing::JoinItem| (&layout.sections[item.section], item.pose);
+                let of =
+                    |item: &traverse_layout_sequencing::JoinItem| (&layout.sections[item.section], item.pose);
                 let alone = match model {
                     EffectModel::Exact => join(of(left), of(right), layout.gap_mm).effect_mm,
                     EffectModel::Published => published_effect(of(left), of(right)),

@@ -5,13 +5,13 @@
 
 use rand::{Rng, RngExt};
 use traverse_geometry::{
-    Edge, Motion, Part, PlacedSection, Point, Polygon, Pose, Ring, Section, SectionLayout, Segment, SlideRule,
-    Vector, cross, unit,
+    Edge, Motion, Part, PlacedSection, Point, Polygon, Pose, Ring, Section, SectionLayout, Segment,
+    SlideRule, Vector, cross, unit,
 };
 
 /// Which borders sections of chance have.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Borders {
+pub(crate) enum Borders {
     /// Straight edges of any direction.
     Straight,
     /// Straight and circular ones.
@@ -21,9 +21,10 @@ pub enum Borders {
 }
 
 /// A section of one to three parts between heights 0 and about 20.
-pub fn section(id: &str, borders: Borders, chance: &mut impl Rng) -> Section {
+pub(crate) fn section(id: &str, borders: Borders, chance: &mut impl Rng) -> Section {
     let count = chance.random_range(1..=3);
-    let parts = (0..count).map(|number| part(&format!("{id}.{number}"), borders, number, count, chance)).collect();
+    let parts =
+        (0..count).map(|number| part(&format!("{id}.{number}"), borders, number, count, chance)).collect();
     Section { id: id.into(), parts, quantity: 1, poses: vec![Pose::AsIs] }
 }
 
@@ -37,7 +38,8 @@ fn part(id: &str, borders: Borders, number: usize, count: usize, chance: &mut im
             Borders::Steps => steps(chance),
             _ => (0..corners)
                 .flat_map(|corner| {
-                    let angle = std::f64::consts::TAU * (corner as f64 + chance.random_range(0.0..0.9)) / corners as f64;
+                    let angle = std::f64::consts::TAU * (corner as f64 + chance.random_range(0.0..0.9))
+                        / corners as f64;
                     let spoke = unit(angle) * chance.random_range(1.0..7.0);
                     [spoke.x, spoke.y * height / 14.0]
                 })
@@ -77,7 +79,7 @@ fn steps(chance: &mut impl Rng) -> Vec<f64> {
 }
 
 /// A layout of sections, kept in order, without a gap.
-pub fn layout(sections: Vec<Section>) -> SectionLayout {
+pub(crate) fn layout(sections: Vec<Section>) -> SectionLayout {
     SectionLayout {
         sections,
         gap_mm: 0.0,
@@ -91,7 +93,7 @@ pub fn layout(sections: Vec<Section>) -> SectionLayout {
 }
 
 /// The outer rings of a section where it stands: left edge of the posed box at `x`.
-pub fn standing(section: &Section, pose: Pose, x: f64) -> Vec<Ring> {
+pub(crate) fn standing(section: &Section, pose: Pose, x: f64) -> Vec<Ring> {
     let bounds = section.bounds();
     let motion = pose.motion(&bounds).then(&Motion::translation(Vector::new(x - bounds.min.x, 0.0)));
     section.parts.iter().map(|part| part.in_section().outer().moved(&motion)).collect()
@@ -134,14 +136,16 @@ fn cross_properly(a: &Edge, b: &Edge) -> bool {
 const DEEP: f64 = 0.02;
 
 /// True distance between regions; negative when one lies deep in the other.
-pub fn distance(a: &[Ring], b: &[Ring]) -> f64 {
+pub(crate) fn distance(a: &[Ring], b: &[Ring]) -> f64 {
     let mut least = f64::INFINITY;
     for a in a {
         for b in b {
             let deep = |p: Point, ring: &Ring| {
                 ring.locate(p) == traverse_geometry::Location::Inside && ring.distance_to_point(p) > 1e-9
             };
-            let depth = |p: Point, ring: &Ring| if deep(p, ring) { -ring.distance_to_point(p) } else { f64::INFINITY };
+            let depth = |p: Point, ring: &Ring| {
+                if deep(p, ring) { -ring.distance_to_point(p) } else { f64::INFINITY }
+            };
             for (p, ring) in a.vertices().iter().map(|p| (p, b)).chain(b.vertices().iter().map(|p| (p, a))) {
                 least = least.min(depth(*p, ring));
             }
@@ -160,7 +164,13 @@ pub fn distance(a: &[Ring], b: &[Ring]) -> f64 {
 
 /// Where `right`, coming from far right, is stopped by `left` at x = 0: as far left as the distance permits, again and
 /// again. Nothing when it passes.
-pub fn stopped(left: &[Ring], right_at: impl Fn(f64) -> Vec<Ring>, from: f64, until: f64, gap: f64) -> Option<f64> {
+pub(crate) fn stopped(
+    left: &[Ring],
+    right_at: impl Fn(f64) -> Vec<Ring>,
+    from: f64,
+    until: f64,
+    gap: f64,
+) -> Option<f64> {
     let mut x = from;
     while x > until {
         let room = distance(left, &right_at(x)) - gap;
@@ -173,7 +183,7 @@ pub fn stopped(left: &[Ring], right_at: impl Fn(f64) -> Vec<Ring>, from: f64, un
 }
 
 /// The least margin between any two placed sections: distance less gap.
-pub fn least_margin(layout: &SectionLayout, placed: &[PlacedSection]) -> f64 {
+pub(crate) fn least_margin(layout: &SectionLayout, placed: &[PlacedSection]) -> f64 {
     let rings: Vec<Vec<Ring>> =
         placed.iter().map(|p| standing(&layout.sections[p.section], p.pose, p.x_mm)).collect();
     let mut least = f64::INFINITY;
