@@ -12,6 +12,7 @@ mod arguments;
 mod call;
 mod check;
 mod demo;
+mod demo_sections;
 mod drawing_scene;
 mod failure;
 mod input;

@@ -33,10 +33,14 @@ pub(crate) async fn run(arguments: Order) -> Result<(), Failure> {
     }
     let (answer, text) = planning::order(&caller(&arguments)?, &request).await?;
     if answer.no_order {
-        return Err(Failure::NoPath("forbidden joins, ends and precedences leave no order: proven".to_owned()));
+        return Err(Failure::NoPath(
+            "forbidden joins, ends and precedences leave no order: proven".to_owned(),
+        ));
     }
     if answer.order.is_empty() {
-        return Err(Failure::NotNow("the method found no order that is allowed; use --algorithm best".to_owned()));
+        return Err(Failure::NotNow(
+            "the method found no order that is allowed; use --algorithm best".to_owned(),
+        ));
     }
     let title = title(&arguments.files);
     for output in &arguments.output {
@@ -48,7 +52,10 @@ pub(crate) async fn run(arguments: Order) -> Result<(), Failure> {
             Output::Drawing | Output::Program => {
                 let order = order_of(&layout, &answer)?;
                 let dxf = write_layout_dxf(&layout, &order);
-                input::write(output, dxf.map_err(|error| Failure::Input(format!("{}: {error}", output.display())))?)?;
+                input::write(
+                    output,
+                    dxf.map_err(|error| Failure::Input(format!("{}: {error}", output.display())))?,
+                )?;
             }
         }
         say!("wrote {}", output.display());

@@ -10,8 +10,12 @@ const MOST_ROWS: usize = 60;
 /// The lines of the report.
 pub(crate) fn lines(layout: &SectionLayout, answer: &v1::OrderSectionsResponse) -> Vec<String> {
     let mut lines = Vec::new();
-    let width_of_ids = layout.sections.iter().map(|section| section.id.chars().count()).max().unwrap_or(0).clamp(7, 30);
-    lines.push(format!("{:>5}  {:<width_of_ids$}  {:>4}  {:<9}  {:>12}  {:>12}", "place", "section", "copy", "pose", "x mm", "width mm"));
+    let width_of_ids =
+        layout.sections.iter().map(|section| section.id.chars().count()).max().unwrap_or(0).clamp(7, 30);
+    lines.push(format!(
+        "{:>5}  {:<width_of_ids$}  {:>4}  {:<9}  {:>12}  {:>12}",
+        "place", "section", "copy", "pose", "x mm", "width mm"
+    ));
     for (place, placed) in answer.order.iter().enumerate().take(MOST_ROWS) {
         let section = layout.sections.iter().find(|section| section.id == placed.section_id);
         let width = section.map_or(0.0, |section| section.bounds().size().x);
@@ -31,8 +35,14 @@ pub(crate) fn lines(layout: &SectionLayout, answer: &v1::OrderSectionsResponse) 
     let share = |part: f64, whole: f64| if whole > 0.0 { 100.0 * part / whole } else { 0.0 };
     lines.push(format!("length           {length:.6} mm"));
     let saved = boxes - length;
-    lines.push(format!("by boxes         {boxes:.6} mm, of which {saved:.6} mm are saved ({:.2} %)", share(saved, boxes)));
-    lines.push(format!("published model  {:.6} mm, by effects of neighbours alone", answer.published_length_mm));
+    lines.push(format!(
+        "by boxes         {boxes:.6} mm, of which {saved:.6} mm are saved ({:.2} %)",
+        share(saved, boxes)
+    ));
+    lines.push(format!(
+        "published model  {:.6} mm, by effects of neighbours alone",
+        answer.published_length_mm
+    ));
     if let Some(report) = &answer.report {
         lines.extend(report_lines(report, length));
     }

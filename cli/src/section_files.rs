@@ -67,7 +67,8 @@ fn sections_of(file: &Path, arguments: &Order) -> Result<(Vec<Section>, Option<f
 }
 
 fn blocks(file: &Path, bytes: &[u8], arguments: &Order) -> Result<(Vec<Section>, Option<f64>), Failure> {
-    let wrong = |error: traverse_drawing::PartSetError| Failure::Input(format!("{}: {error}", file.display()));
+    let wrong =
+        |error: traverse_drawing::PartSetError| Failure::Input(format!("{}: {error}", file.display()));
     let mut set = read_part_set(bytes).map_err(wrong)?;
     set.strip_height_mm = arguments.strip_height.unwrap_or(set.strip_height_mm);
     let rules = BlockRules {
@@ -79,7 +80,12 @@ fn blocks(file: &Path, bytes: &[u8], arguments: &Order) -> Result<(Vec<Section>,
     };
     let sections = build_blocks(&set, &rules).map_err(wrong)?;
     let pieces: usize = sections.iter().map(|section| section.parts.len()).sum();
-    eprintln!("{}: {pieces} pieces in {} blocks of at most {} mm", file.display(), sections.len(), set.strip_height_mm);
+    eprintln!(
+        "{}: {pieces} pieces in {} blocks of at most {} mm",
+        file.display(),
+        sections.len(),
+        set.strip_height_mm
+    );
     Ok((sections, Some(set.strip_height_mm)))
 }
 
@@ -92,7 +98,8 @@ fn drawn(file: &Path, bytes: &[u8], arguments: &Order) -> Result<(Vec<Section>, 
     };
     options.pixels_per_inch = arguments.dpi;
     options.fit_tolerance_mm = arguments.fit;
-    let drawing = read_drawing(bytes, &options).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+    let drawing =
+        read_drawing(bytes, &options).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
     let mut options = SectionOptions {
         by: match arguments.sections {
             SectionsChoice::Found => SectionsBy::Found,
@@ -107,8 +114,8 @@ fn drawn(file: &Path, bytes: &[u8], arguments: &Order) -> Result<(Vec<Section>, 
     if !arguments.ignore.is_empty() {
         options.ignored = arguments.ignore.iter().map(|text| Selector::new(text)).collect();
     }
-    let made =
-        sections_from_drawing(&drawing, &options).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+    let made = sections_from_drawing(&drawing, &options)
+        .map_err(|error| Failure::Input(format!("{name}: {error}")))?;
     eprint!("{}", made.report);
     eprintln!("{name}: {} sections, each a {}", made.sections.len(), made.by.name());
     if made.outside_count > 0 {

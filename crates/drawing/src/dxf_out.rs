@@ -8,9 +8,7 @@ mod groups;
 mod layout;
 mod polyline;
 
-pub use layout::{
-    PARTS_LAYER, SECTION_IDS_LAYER, SECTIONS_LAYER, STRIP_LAYER, write_layout_dxf,
-};
+pub use layout::{PARTS_LAYER, SECTION_IDS_LAYER, SECTIONS_LAYER, STRIP_LAYER, write_layout_dxf};
 
 use frame::{FileLayer, begin_file, end_file};
 use groups::Groups;

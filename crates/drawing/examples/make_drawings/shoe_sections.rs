@@ -14,11 +14,33 @@ type Shapes = (&'static str, f64, &'static [&'static str]);
 /// Quarter and half circles are arcs; everything else is straight.
 const SECTIONS: [Shapes; 10] = [
     // Soles that lean to the right, a heel above.
-    ("soles", 150.0, &["M0 0H70A30 30 0 0 1 100 30L150 140A20 20 0 0 1 130 160H90A30 30 0 0 1 60 130L0 40Z", "M10 180H110V240A50 50 0 0 1 10 240Z"]),
+    (
+        "soles",
+        150.0,
+        &[
+            "M0 0H70A30 30 0 0 1 100 30L150 140A20 20 0 0 1 130 160H90A30 30 0 0 1 60 130L0 40Z",
+            "M10 180H110V240A50 50 0 0 1 10 240Z",
+        ],
+    ),
     // Uppers, open to the left: a neighbour's tip reaches in.
-    ("uppers", 170.0, &["M0 0L120 0A50 50 0 0 1 170 50V90L60 100L0 120L60 60Z", "M20 140L140 130L170 200L110 290H0L70 215Z"]),
+    (
+        "uppers",
+        170.0,
+        &[
+            "M0 0L120 0A50 50 0 0 1 170 50V90L60 100L0 120L60 60Z",
+            "M20 140L140 130L170 200L110 290H0L70 215Z",
+        ],
+    ),
     // Tongues side by side, points to the right.
-    ("tongues", 130.0, &["M0 5H60L130 45L60 85H0L25 45Z", "M0 100H60L130 140L60 180H0L25 140Z", "M0 195H60L130 235L60 275H0L25 235Z"]),
+    (
+        "tongues",
+        130.0,
+        &[
+            "M0 5H60L130 45L60 85H0L25 45Z",
+            "M0 100H60L130 140L60 180H0L25 140Z",
+            "M0 195H60L130 235L60 275H0L25 235Z",
+        ],
+    ),
     // Straps that lean to the left.
     ("straps", 180.0, &["M90 0H130L60 300H20Z", "M150 0H180L130 210H95Z", "M70 0L0 300H0V240L45 0Z"]),
     // A vamp with a round toe to the right and a quarter below it.
@@ -47,7 +69,10 @@ pub(crate) fn text() -> String {
     let mut left = 0.0;
     for (name, width, shapes) in SECTIONS {
         // y points up in the path data.
-        let _ = writeln!(svg, "  <g id=\"{name}\" transform=\"matrix(1 0 0 -1 {left} {HEIGHT})\" fill=\"none\" stroke=\"#000\">");
+        let _ = writeln!(
+            svg,
+            "  <g id=\"{name}\" transform=\"matrix(1 0 0 -1 {left} {HEIGHT})\" fill=\"none\" stroke=\"#000\">"
+        );
         for shape in shapes {
             let _ = writeln!(svg, "    <path d=\"{shape}\"/>");
         }

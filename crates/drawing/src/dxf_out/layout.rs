@@ -1,10 +1,10 @@
 //! A layout of sections as a drawing.
 
+use super::DxfWriteError;
 use super::frame::{FileLayer, begin_file, end_file};
 use super::groups::Groups;
 use super::polyline::polyline;
-use super::DxfWriteError;
-use traverse_geometry::{Bounds, Edge, PlacedSection, Point, Segment, SectionLayout};
+use traverse_geometry::{Bounds, Edge, PlacedSection, Point, SectionLayout, Segment};
 
 /// The layer of the parts' outlines and holes: one closed LWPOLYLINE for each ring.
 pub const PARTS_LAYER: &str = "TRAVERSE_PARTS";

@@ -1,7 +1,8 @@
 //! The picture of a layout: sections joined by bounding boxes in the order given, above; the layout itself, below; both
 //! lengths, and what is saved.
 
-use super::frame::{Frame, WIDTH, MARGIN};
+use super::file;
+use super::frame::{Frame, MARGIN, WIDTH};
 use super::header::Header;
 use super::legend::Legend;
 use super::outline::polygon_data;
@@ -9,7 +10,6 @@ use super::sign::Sign;
 use super::style::SMALL;
 use super::text::{Weight, escaped, fitted, millimetres, width_of};
 use super::text_line::push_text;
-use super::file;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use traverse_geometry::{Bounds, Motion, PlacedSection, Point, Pose, SectionLayout, Vector};
@@ -115,8 +115,11 @@ fn header(shown: &ShownLayout<'_>, title: &str, before: f64, after: f64) -> Head
         saved if saved >= 0.0 => format!("{} saved ({share:.1} %)", millimetres(saved)),
         more => format!("{} more", millimetres(-more)),
     };
-    let header = Header::titled(title)
-        .with_strong(&format!("{sections} in {}, by bounding boxes {}: {change}", millimetres(after), millimetres(before)));
+    let header = Header::titled(title).with_strong(&format!(
+        "{sections} in {}, by bounding boxes {}: {change}",
+        millimetres(after),
+        millimetres(before)
+    ));
     match shown.lower_bound_mm {
         None => header,
         Some(bound) if bound >= after => header.with("proven: no layout reached by sliding is shorter"),
@@ -197,8 +200,7 @@ impl Row<'_> {
         for placed in order {
             let Some(section) = self.layout.sections.get(placed.section) else { continue };
             let bounds = section.bounds();
-            let into_row =
-                placed.motion(&bounds).then(&Motion::translation(Vector::new(0.0, self.up)));
+            let into_row = placed.motion(&bounds).then(&Motion::translation(Vector::new(0.0, self.up)));
             let tint = TINTS.get(placed.section % TINTS.len()).copied().unwrap_or("#d9d9d9");
             let mut data = String::new();
             for part in &section.parts {
@@ -206,7 +208,10 @@ impl Row<'_> {
                 data.push_str(&polygon_data(&shape, self.frame));
             }
             let id = escaped(&section.id);
-            let _ = writeln!(svg, "<path class=\"piece\" fill=\"{tint}\" d=\"{data}\"><title>{id}</title></path>");
+            let _ = writeln!(
+                svg,
+                "<path class=\"piece\" fill=\"{tint}\" d=\"{data}\"><title>{id}</title></path>"
+            );
             if with_boxes {
                 let (left, top) = self.place(placed.x_mm, bounds.max.y);
                 let (right, bottom) = self.place(placed.x_mm + bounds.size().x, bounds.min.y);
@@ -230,7 +235,13 @@ impl Row<'_> {
             if width_of(&section.id, SMALL, Weight::Regular) + 4.0 <= width {
                 push_text(svg, "id", x, y + SMALL * 0.35, &section.id);
             } else if width >= 3.0 * SMALL {
-                push_text(svg, "id", x, y + SMALL * 0.35, &fitted(&section.id, SMALL, Weight::Regular, width));
+                push_text(
+                    svg,
+                    "id",
+                    x,
+                    y + SMALL * 0.35,
+                    &fitted(&section.id, SMALL, Weight::Regular, width),
+                );
             } else {
                 unnamed.insert(placed.section);
             }

@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use super::section::Ids;
 use crate::v1;
-use traverse_geometry::{LARGEST_CLEARANCE_MM, PlacedSection, SectionLayout, SlideRule};
+use traverse_geometry::{PlacedSection, SectionLayout, SlideRule};
 
 /// What a layout consists of, as it is on the wire.
 pub(crate) struct WireLayout {
@@ -47,9 +47,7 @@ impl Reader<'_> {
 
     /// A layout standing at `parent` (empty, or ending in a dot), and the ids of its sections.
     pub(crate) fn layout(&mut self, parent: &str, wire: WireLayout) -> (Option<SectionLayout>, Ids) {
-        let holds = |mm: f64| (0.0..=LARGEST_CLEARANCE_MM).contains(&mm);
-        let range = format!("0 to {LARGEST_CLEARANCE_MM} mm");
-        let gap_mm = self.within(&format!("{parent}gap_mm"), wire.gap_mm, holds, &range);
+        let gap_mm = self.clearance(&format!("{parent}gap_mm"), wire.gap_mm);
         let strip = self.strip_height(&format!("{parent}strip_height_mm"), wire.strip_height_mm);
         let slide_rule = self.slide_rule(&format!("{parent}slide_rule"), wire.slide_rule);
         let (sections, ids) = self.sections(&format!("{parent}sections"), wire.sections);
