@@ -21,7 +21,8 @@ fn part_set(seed: u64) -> String {
         let (wide, high) = (chance.random_range(8.0..45.0), chance.random_range(8.0..45.0));
         let vertices: Vec<String> = (0..corners)
             .map(|corner| {
-                let angle = std::f64::consts::TAU * (f64::from(corner) + chance.random_range(0.0..0.7)) / f64::from(corners);
+                let angle = std::f64::consts::TAU * (f64::from(corner) + chance.random_range(0.0..0.7))
+                    / f64::from(corners);
                 let reach = chance.random_range(0.35..1.0);
                 format!("[{}, {}]", wide * reach * angle.cos(), high * reach * angle.sin())
             })
@@ -133,7 +134,8 @@ fn the_published_effect_overlaps_and_the_checker_shows_it() {
         let layout = layout(blocks(seed, 8, &[Pose::AsIs]), 0.0, SlideRule::KeepOrder);
         let order = place_as_published(&layout, &shuffled(&layout, seed));
         let found = check_sections(&layout, &order, CONTACT_TOLERANCE_MM);
-        overlapping += u32::from(found.violations.iter().any(|it| it.reason == ViolationReason::SectionsOverlap));
+        overlapping +=
+            u32::from(found.violations.iter().any(|it| it.reason == ViolationReason::SectionsOverlap));
     }
     assert!(overlapping >= 3, "only {overlapping} of 60 layouts overlap");
 }
@@ -157,7 +159,8 @@ fn the_worked_example_is_nine_as_published_and_six_in_truth() {
     assert!((join((&left, Pose::AsIs), (&right, Pose::AsIs), 0.0).effect_mm - 6.0).abs() < 1e-5);
     let layout = layout(vec![left, right], 0.0, SlideRule::KeepOrder);
     let order = shuffled(&layout, 0);
-    let order: Vec<PlacedSection> = [0, 1].iter().map(|&it| *order.iter().find(|p| p.section == it).unwrap()).collect();
+    let order: Vec<PlacedSection> =
+        [0, 1].iter().map(|&it| *order.iter().find(|p| p.section == it).unwrap()).collect();
     let found = check_sections(&layout, &place_as_published(&layout, &order), CONTACT_TOLERANCE_MM);
     let [violation] = &found.violations[..] else { panic!("{found:?}") };
     assert_eq!(violation.reason, ViolationReason::SectionsOverlap);
