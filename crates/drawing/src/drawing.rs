@@ -34,7 +34,7 @@ impl Drawing {
             unit_assumed: self.unit_assumed,
             layers: Vec::new(),
             unused: Vec::new(),
-            mapping: self.mapping.clone(),
+            mapping: self.mapping,
         }
     }
 

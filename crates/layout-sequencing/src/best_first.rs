@@ -16,7 +16,7 @@ use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt};
 
 /// What all beginnings together may take.
-const MOST_BYTES: usize = 256 << 20;
+const MOST_BYTES: usize = 192 << 20;
 /// Beginnings with the same copies placed that one is compared with.
 const MOST_COMPARED: usize = 200;
 /// Heights at which freely sliding sections are bounded.
@@ -131,7 +131,7 @@ impl Search<'_> {
         self.beginnings.push(empty);
         self.open.push((Reverse(0), 0, 0));
         while let Some((Reverse(bound), placed, number)) = self.open.pop() {
-            if bound >= progress.upper() {
+            if progress.is_reached_by(bound) {
                 // Everything else that is open is bounded no lower.
                 break;
             }
@@ -169,7 +169,7 @@ impl Search<'_> {
                     continue;
                 }
                 let bound = self.bound(&beginning);
-                if bound < progress.upper() && self.is_new(&beginning) {
+                if !progress.is_reached_by(bound) && self.is_new(&beginning) {
                     let fresh = self.beginnings.len() as u32;
                     let like = self.like.entry(self.likeness(&beginning)).or_default();
                     like.push(fresh);

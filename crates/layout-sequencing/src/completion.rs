@@ -2,24 +2,31 @@
 //! last, filled from nothing left upwards (Held and Karp 1962, over counts). With kept order it bounds every completion
 //! from below, poses included; its last entry bounds the layout.
 //!
-//! Memory is items · Π (quantity + 1) numbers, time that times the items.
+//! Memory is items · Π (quantity + 1) numbers of four bytes, time that times the items. Entries count in a coarser unit
+//! where the layout is longer than 2³⁰ units of the grid, rounded down: a bound then misses less than that unit for each
+//! copy, a few hundred-millionths of the length.
 
 use crate::instance::Instance;
 use traverse_solve::{Budget, Interrupt};
 
-/// The largest table.
-const MOST_BYTES: usize = 256 << 20;
+/// The largest table: 20 sections in four poses.
+const MOST_BYTES: usize = 352 << 20;
 
-/// No completion is allowed.
+/// No completion is allowed, or none as short as the layout known.
 pub(crate) const NO_COMPLETION: i64 = i64::MAX / 4;
+
+/// The same in the table: two of them can be added.
+const NONE: i32 = i32::MAX / 2;
 
 /// Least lengths of completions.
 #[derive(Debug)]
 pub(crate) struct Completion {
     pub(crate) counts: Counts,
     items: usize,
+    /// Units of the grid in one of an entry.
+    unit: i64,
     /// From the left edge of the item placed last to the furthest right end.
-    least: Vec<i64>,
+    least: Vec<i32>,
 }
 
 /// Counts of what is left, as one number.
@@ -76,59 +83,68 @@ impl Counts {
 }
 
 impl Completion {
-    /// Whether the table is small enough to be filled.
-    pub(crate) fn fits(instance: &Instance) -> bool {
-        Counts::of(instance).is_some_and(|counts| {
-            counts.size.saturating_mul(instance.items.len()).saturating_mul(8) <= MOST_BYTES
-        })
-    }
-
-    /// The table. Nothing when it is too large.
-    pub(crate) fn of(instance: &Instance, budget: &Budget) -> Result<Option<Self>, Interrupt> {
-        let Some(counts) = Counts::of(instance).filter(|_| Self::fits(instance)) else { return Ok(None) };
+    /// The table, for completions up to `longest`, the length of a layout that is known. Nothing when it is too large.
+    pub(crate) fn of(instance: &Instance, longest: i64, budget: &Budget) -> Result<Option<Self>, Interrupt> {
         let items = instance.items.len();
-        let mut least = vec![NO_COMPLETION; counts.size * items];
-        for (least, item) in least.iter_mut().zip(&instance.items) {
-            *least = item.width;
-        }
-        let offsets: Vec<i64> =
-            (0..items * items).map(|at| instance.offset(at / items, at % items)).collect();
-        // What comes next, and the length from there on.
-        let mut next: Vec<(usize, i64)> = vec![];
+        let bytes = |counts: &Counts| counts.size.saturating_mul(items).saturating_mul(size_of::<i32>());
+        let Some(counts) = Counts::of(instance).filter(|counts| bytes(counts) <= MOST_BYTES) else {
+            return Ok(None);
+        };
+        let unit = longest / i64::from(NONE - 1) + 1;
+        let entry = |length: i64| (length / unit).min(i64::from(NONE)) as i32;
+        let widths: Vec<i32> = instance.items.iter().map(|item| entry(item.width)).collect();
+        let joined = |at: usize| {
+            let (left, right) = (at / items, at % items);
+            let allowed = instance.may_join(instance.items[left].kind, instance.items[right].kind);
+            if allowed { entry(instance.offset(left, right)) } else { NONE }
+        };
+        let offsets: Vec<i32> = (0..items * items).map(joined).collect();
+        let mut least = vec![NONE; counts.size * items];
+        least[..items].copy_from_slice(&widths);
+        // The length from an item on that may come next.
+        let mut next = vec![NONE; items];
         for state in 1..counts.size {
-            if state % 256 == 1 {
+            if state % 64 == 1 {
                 budget.check(0)?;
             }
-            next.clear();
+            next.fill(NONE);
             for kind in (0..instance.kinds.len()).filter(|&kind| counts.may_come(state, kind)) {
+                let own = instance.kinds[kind].items.clone();
                 let rest = counts.without(state, kind) * items;
-                let allowed = instance.kinds[kind].items.clone().map(|item| (item, least[rest + item]));
-                next.extend(allowed.filter(|next| next.1 < NO_COMPLETION));
+                next[own.clone()].copy_from_slice(&least[rest + own.start..rest + own.end]);
             }
-            for before in 0..items {
-                let row = &offsets[before * items..][..items];
-                let kind = instance.items[before].kind;
-                let mut shortest = NO_COMPLETION;
-                for &(item, rest) in &next {
-                    let length = row[item] + rest;
-                    if length < shortest && instance.may_join(kind, instance.items[item].kind) {
-                        shortest = length;
-                    }
+            for kind in 0..instance.kinds.len() {
+                // What was placed last is not left.
+                if counts.left(state, kind) == counts.quantity[kind] {
+                    continue;
                 }
-                least[state * items + before] = shortest.max(instance.items[before].width);
+                for before in instance.kinds[kind].items.clone() {
+                    let row = &offsets[before * items..][..items];
+                    let through = row.iter().zip(&next).map(|(offset, next)| offset + next);
+                    let shortest = through.fold(NONE, i32::min);
+                    least[state * items + before] = shortest.max(widths[before]).min(NONE);
+                }
             }
         }
-        Ok(Some(Self { counts, items, least }))
+        Ok(Some(Self { counts, items, unit, least }))
     }
 
     /// From the left edge of `item`, placed last, to the furthest right end when the rest is placed as well as
-    /// neighbours permit; [`NO_COMPLETION`] when nothing is allowed.
+    /// neighbours permit; [`NO_COMPLETION`] when nothing is allowed that is as short as the layout known.
     #[inline]
     pub(crate) fn length(&self, state: usize, item: usize) -> i64 {
-        self.least[state * self.items + item]
+        match self.least[state * self.items + item] {
+            NONE => NO_COMPLETION,
+            entry => i64::from(entry) * self.unit,
+        }
     }
 
-    /// No layout is shorter; [`NO_COMPLETION`] when none is allowed.
+    /// What a length may miss, units of the grid.
+    pub(crate) fn coarseness(&self, instance: &Instance) -> i64 {
+        (self.unit - 1) * (instance.copies as i64 + 1)
+    }
+
+    /// No layout is shorter; [`NO_COMPLETION`] when none is allowed that is as short as the layout known.
     pub(crate) fn bound(&self, instance: &Instance) -> i64 {
         let full = self.counts.full();
         let starts = |kind: usize| {

@@ -203,15 +203,18 @@ impl Order<'_> {
     /// The search that proves, where the layout is for it. An ending when everything is decided.
     fn prove(&mut self) -> Result<Option<Ending>, Interrupt> {
         let share = self.budget.share(TABLE_SHARE, self.progress.iterations());
+        let boxes: i64 = self.instance.kinds.iter().map(|kind| self.instance.items[kind.items.start].reach * kind.copies.len() as i64).sum();
+        let longest = self.progress.upper().min(boxes);
         let completion = match self.instance.rule {
             SlideRule::KeepOrder if self.instance.has_all_offsets() => {
-                Completion::of(self.instance, &share).unwrap_or(None)
+                Completion::of(self.instance, longest, &share).unwrap_or(None)
             }
             _ => None,
         };
         if let Some(completion) = &completion {
             let bound = completion.bound(self.instance);
-            if bound >= NO_COMPLETION {
+            self.progress.count_coarsely(completion.coarseness(self.instance));
+            if bound >= NO_COMPLETION && self.progress.best().is_none() {
                 return Ok(Some(Ending::ProvenInfeasible));
             }
             self.progress.raise_bound(bound);
@@ -236,13 +239,12 @@ impl Order<'_> {
     }
 
     fn answer(self, ending: Ending) -> LayoutAnswer {
-        let (instance, grid) = (self.instance, self.instance.grid);
+        let grid = self.instance.grid;
         let plan = self.progress.best().map(|(items, _)| self.plan(items));
         let length_mm = plan.as_ref().map_or(f64::INFINITY, |plan| plan.length_mm);
         let proven = self.progress.is_proven();
         let bound = if proven { length_mm } else { grid.mm(self.progress.bound()).min(length_mm) };
         let infeasible = ending == Ending::ProvenInfeasible;
-        let _ = instance;
         LayoutAnswer {
             plan,
             lower_bound_mm: if infeasible { 0.0 } else { bound },

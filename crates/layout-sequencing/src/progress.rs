@@ -9,6 +9,8 @@ pub(crate) struct Progress<'a> {
     observer: &'a mut dyn Observer,
     best: Option<(Vec<usize>, i64)>,
     bound: i64,
+    /// A bound that misses the length by no more than this proves it.
+    coarseness: i64,
     iterations: u64,
     gap_limit: Option<f64>,
 }
@@ -19,7 +21,7 @@ impl<'a> Progress<'a> {
         gap_limit: Option<f64>,
         observer: &'a mut dyn Observer,
     ) -> Self {
-        Self { instance, observer, best: None, bound: 0, iterations: 0, gap_limit }
+        Self { instance, observer, best: None, bound: 0, coarseness: 0, iterations: 0, gap_limit }
     }
 
     /// The best sequence of items with its length.
@@ -53,16 +55,26 @@ impl<'a> Progress<'a> {
         }
     }
 
+    /// Bounds from here on may miss so many units because they count in a coarser one.
+    pub(crate) fn count_coarsely(&mut self, coarseness: i64) {
+        self.coarseness = coarseness;
+    }
+
+    /// Whether a bound, up to what it may miss, is as high as the best length.
+    pub(crate) fn is_reached_by(&self, bound: i64) -> bool {
+        bound.saturating_add(self.coarseness) >= self.upper()
+    }
+
     /// Whether length and bound have met.
     pub(crate) fn is_proven(&self) -> bool {
-        self.bound >= self.upper()
+        self.is_reached_by(self.bound)
     }
 
     /// Whether length and bound have met, or come as near as was asked for.
     pub(crate) fn is_close_enough(&self) -> bool {
         let upper = self.upper();
         upper != i64::MAX
-            && (self.bound >= upper
+            && (self.is_proven()
                 || self.gap_limit.is_some_and(|limit| (upper - self.bound) as f64 <= limit * upper as f64))
     }
 

@@ -42,7 +42,7 @@ const SECTIONS: [Shapes; 10] = [
         ],
     ),
     // Straps that lean to the left.
-    ("straps", 180.0, &["M90 0H130L60 300H20Z", "M150 0H180L130 210H95Z", "M70 0L0 300H0V240L45 0Z"]),
+    ("straps", 180.0, &["M90 0H130L60 300H20Z", "M150 0H180L130 210H95Z", "M70 0L0 300V240L45 0Z"]),
     // A vamp with a round toe to the right and a quarter below it.
     ("vamps", 140.0, &["M0 150H70A70 70 0 0 1 70 290H0L40 220Z", "M0 0H110L140 60L110 130H0L30 60Z"]),
     // Counters: half circles back to back.

@@ -137,7 +137,7 @@ impl SectionsBy {
             Self::Found => "group or layer",
             Self::Group => "group",
             Self::Layer => "layer",
-            Self::Part => "layer",
+            Self::Part => "part",
         }
     }
 }
