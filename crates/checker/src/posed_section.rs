@@ -54,6 +54,13 @@ impl PosedSection {
     pub(crate) fn around<'a>(&'a self, tolerance: f64, go_on: &'a dyn Fn() -> bool) -> Surroundings<'a> {
         // What comes near are borders of other sections: no steps.
         let step_of = &[];
-        Surroundings { scene: &self.scene, boundary: &self.boundary, tree: &self.tree, tolerance, step_of, go_on }
+        Surroundings {
+            scene: &self.scene,
+            boundary: &self.boundary,
+            tree: &self.tree,
+            tolerance,
+            step_of,
+            go_on,
+        }
     }
 }
