@@ -52,7 +52,7 @@ impl Clock {
         let (cost, feed) = match self {
             Self::Limits(limits) => return Some(travel_cost(path, &TravelCost::Kinematics(*limits))),
             Self::Axes(axes, feed) => (TravelCost::AxisSpeeds(*axes), *feed),
-            Self::Steady { feed, .. } => (TravelCost::Euclidean, *feed),
+            Self::Steady { feed, .. } => (TravelCost::Length, *feed),
         };
         let seconds_per_unit =
             if let Self::Steady { mm_per_min, .. } = self { 60.0 / mm_per_min } else { 1.0 };
