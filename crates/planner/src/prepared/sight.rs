@@ -17,9 +17,35 @@ const WIDEST_PART_RAD: f64 = 1.5;
 /// All that can be seen from a feature on one side.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sight {
+    /// By the offsets at which they leave.
     pub(super) links: Vec<Link>,
+    /// How far the direction of any link may be off by rounding, radians.
+    angle_error: f64,
     /// Nothing further away than this was looked at: it is hidden. Millimetres.
     pub(super) reach: f64,
+}
+
+impl Sight {
+    /// Puts the links in order.
+    pub(super) fn sort(&mut self) {
+        self.links.sort_unstable_by(|a, b| a.left_at.total_cmp(&b.left_at));
+        self.angle_error = self.links.iter().map(Link::angle_error).fold(0.0, f64::max);
+    }
+
+    /// Shows `visit` the links that leave at `offset` or ahead of it on `side`, and those behind by what their directions
+    /// may be off. From the far end on, so that the ones behind are not touched.
+    pub(super) fn ahead(&self, side: Side, offset: f64, mut visit: impl FnMut(&Link)) {
+        match side {
+            Side::Left => {
+                let ahead = self.links.iter().rev().take_while(|link| link.left_at >= offset - self.angle_error);
+                ahead.for_each(&mut visit);
+            }
+            Side::Right => {
+                let ahead = self.links.iter().take_while(|link| link.left_at <= offset + self.angle_error);
+                ahead.for_each(&mut visit);
+            }
+        }
+    }
 }
 
 /// Marks of what was looked at; kept from one sight to the next.
@@ -63,6 +89,7 @@ pub(super) fn sight(
         Look { terrain, feature, circle, side, range, sight: &mut sight }.around(looked, budget)?;
     }
     sight.links.shrink_to_fit();
+    sight.sort();
     Ok(sight)
 }
 
@@ -82,8 +109,9 @@ pub(super) fn link(terrain: &Terrain, from: u32, side: Side, to: u32, other_side
     if !terrain.is_free(planned.from, planned.to) {
         return None;
     }
-    let length =
-        Tangent::between(circle.center, price1, other.center, price2).map_or(0.0, |price| price.length);
+    let price = Tangent::between(circle.center, price1, other.center, price2);
+    // What both arcs are longer by because the answered way leaves and arrives in a slightly different direction.
+    let length = price.map_or(0.0, |price| price.length + planned.angle_to(&price) * (price1 - price2));
     let mut link = Link::to(to, other_side, planned.angle_error);
     (link.left_at, link.offset, link.length) = (left_at, offset, length);
     Some(link)

@@ -65,8 +65,12 @@ impl Sights {
         if let Some(kept) = &mut self.known[at][side as usize]
             && now - kept.edits <= EDITS_KEPT
         {
+            if now == kept.edits {
+                return Ok(());
+            }
             let missed = &self.edits[kept.edits..];
             if missed.iter().all(|edit| update(terrain, feature, side, &mut kept.sight, edit)) {
+                kept.sight.sort();
                 kept.edits = now;
                 return Ok(());
             }
@@ -80,6 +84,11 @@ impl Sights {
     pub(super) fn links(&self, feature: u32, side: Side) -> &[Link] {
         let kept = self.known.get(feature as usize).and_then(|sides| sides[side as usize].as_ref());
         kept.map_or(&[], |kept| &kept.sight.links)
+    }
+
+    /// What was seen from there, once that was worked out.
+    pub(super) fn sight(&self, feature: u32, side: Side) -> Option<&Sight> {
+        self.known.get(feature as usize)?[side as usize].as_ref().map(|kept| &kept.sight)
     }
 
     /// How many links are kept.

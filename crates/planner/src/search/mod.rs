@@ -21,12 +21,12 @@ mod successors;
 mod tangent;
 mod tree;
 
-pub(crate) use circles::Circles;
+pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;
-pub(crate) use label::Route;
+pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
 pub(crate) use seen::{Moves, SeenSearch};
 pub(crate) use shortest::Search;
