@@ -108,7 +108,18 @@ impl<'a> AlongLinks<'a> {
         room.best.begin(terrain.features.len());
         let growth = Growth::new(start.point, target.point);
         let (horizon, offered_count) = (None, 0);
-        Self { terrain, sights, start, target, room, growth, horizon, offered_count, offered: 0.0, lower_bound: 0.0 }
+        Self {
+            terrain,
+            sights,
+            start,
+            target,
+            room,
+            growth,
+            horizon,
+            offered_count,
+            offered: 0.0,
+            lower_bound: 0.0,
+        }
     }
 
     /// The shortest path, if there is one. `steps` counts the labels that were looked into.
@@ -128,7 +139,8 @@ impl<'a> AlongLinks<'a> {
             return Ok(Some(Route { cost: self.lower_bound, stops: Vec::new() }));
         }
         loop {
-            let lowest = self.room.open.peek().map_or(f64::INFINITY, |(Reverse(bits), _)| f64::from_bits(*bits));
+            let lowest =
+                self.room.open.peek().map_or(f64::INFINITY, |(Reverse(bits), _)| f64::from_bits(*bits));
             if self.offered < lowest {
                 budget.check(*steps)?;
                 self.offer(lowest);
@@ -169,7 +181,8 @@ impl<'a> AlongLinks<'a> {
     }
 
     fn is_straight_way_free(&self) -> bool {
-        let mut ways = self.start.places.iter().flat_map(|&from| self.target.places.iter().map(move |&to| (from, to)));
+        let mut ways =
+            self.start.places.iter().flat_map(|&from| self.target.places.iter().map(move |&to| (from, to)));
         ways.any(|(from, to)| self.terrain.is_free(from, to))
     }
 
@@ -296,7 +309,9 @@ impl<'a> AlongLinks<'a> {
         let paid = self.room.paid.entry((feature, side)).or_default();
         let serves = |paid: &Paid| {
             let turn = (label.offset - paid.offset) * side.sign();
-            paid.stretch == stretch && turn >= 0.0 && paid.cost + circle.price_radius * turn <= label.cost + 1e-12
+            paid.stretch == stretch
+                && turn >= 0.0
+                && paid.cost + circle.price_radius * turn <= label.cost + 1e-12
         };
         if paid.iter().any(serves) {
             return None;
@@ -313,7 +328,8 @@ impl<'a> AlongLinks<'a> {
             if !self.terrain.sector(label.feature()).may_lead_to(side, to, circle.plan_radius) {
                 continue;
             }
-            let Some(planned) = Tangent::between(circle.center, circle.plan_radius * side.sign(), to, 0.0) else {
+            let Some(planned) = Tangent::between(circle.center, circle.plan_radius * side.sign(), to, 0.0)
+            else {
                 continue;
             };
             let Some(left_at) = departure.leaves_by(&planned) else { continue };
@@ -468,7 +484,9 @@ impl Departure<'_> {
     fn reaches(&self, left_at: f64) -> bool {
         let tolerance = self.circle.offset_tolerance();
         let (from, to) = self.free;
-        (left_at - self.label.offset) * self.sign() >= 0.0 && from - tolerance <= left_at && left_at <= to + tolerance
+        (left_at - self.label.offset) * self.sign() >= 0.0
+            && from - tolerance <= left_at
+            && left_at <= to + tolerance
     }
 
     /// What the path costs where it leaves.

@@ -56,7 +56,9 @@ impl Best {
         if known.search == search {
             let turn = (offset - known.offset) * side.sign();
             let there = known.cost + radius * turn.abs();
-            if there < cost - DEARER_MM || known.side == side && turn >= 0.0 && there <= cost + COST_TOLERANCE_MM {
+            if there < cost - DEARER_MM
+                || known.side == side && turn >= 0.0 && there <= cost + COST_TOLERANCE_MM
+            {
                 return false;
             }
             if known.cost <= cost {

@@ -57,7 +57,13 @@ impl Label {
 
     /// Along a link from the label `from`, which leaves at `left_at`.
     pub(super) fn along(link: &Link, from: u32, left_at: f64, cost: f64) -> Self {
-        Self { offset: link.offset, left_at, step: Step::Link, cost, ..Self::guess(link.feature(), link.side(), from) }
+        Self {
+            offset: link.offset,
+            left_at,
+            step: Step::Link,
+            cost,
+            ..Self::guess(link.feature(), link.side(), from)
+        }
     }
 
     /// Over onto a feature from the label `from`.

@@ -156,7 +156,7 @@ impl Terrain {
         self.there.push(true);
         self.nearby.push(owner, owned.bounds.as_ref());
         if let Some(bounds) = owned.bounds {
-            self.forget_stretches(&bounds);
+            self.forget_within(&bounds);
         }
         self.owned.push(owned);
     }
@@ -165,7 +165,7 @@ impl Terrain {
     pub(super) fn remove(&mut self, owner: usize) {
         self.there.set(owner, false);
         if let Some(bounds) = self.owned(owner).bounds {
-            self.forget_stretches(&bounds);
+            self.forget_within(&bounds);
         }
     }
 
@@ -264,8 +264,9 @@ impl Terrain {
         self.free.push(OnceCell::new());
     }
 
-    /// Forgets what was known of arcs that reach into `bounds`.
-    fn forget_stretches(&mut self, bounds: &Bounds) {
+    /// Forgets what was known of arcs and of points within `bounds`.
+    fn forget_within(&mut self, bounds: &Bounds) {
+        self.nearby.forget_middles(bounds);
         let (free, whole) = (&mut self.free, &self.whole);
         let _ = self.layer.within(bounds, |feature| {
             free[feature as usize].take();
