@@ -24,7 +24,7 @@ use crate::search::{End, Ground, Route, Sector, Stop, Tangent};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use traverse_geometry::{Vector, cross};
+use traverse_geometry::{Point, Vector, cross};
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// So many features are offered to the start before a horizon is worked out.
@@ -134,9 +134,9 @@ impl<'a> AlongLinks<'a> {
     ) -> Result<Option<Route>, Interrupt> {
         budget.check(*steps)?;
         self.lower_bound = (self.target.point - self.start.point).norm();
-        if self.is_straight_way_free() {
+        if let Some(places) = self.free_straight_way() {
             observer.better_bound(self.lower_bound);
-            return Ok(Some(Route { cost: self.lower_bound, stops: Vec::new() }));
+            return Ok(Some(Route { cost: self.lower_bound, stops: Vec::new(), places }));
         }
         loop {
             let lowest =
@@ -180,10 +180,10 @@ impl<'a> AlongLinks<'a> {
         }
     }
 
-    fn is_straight_way_free(&self) -> bool {
-        let mut ways =
-            self.start.places.iter().flat_map(|&from| self.target.places.iter().map(move |&to| (from, to)));
-        ways.any(|(from, to)| self.terrain.is_free(from, to))
+    /// Places that stand for start and target, with nothing between them.
+    fn free_straight_way(&self) -> Option<[Point; 2]> {
+        let from_each = |&from: &Point| self.target.places.iter().map(move |&to| [from, to]);
+        self.start.places.iter().flat_map(from_each).find(|&[from, to]| self.terrain.is_free(from, to))
     }
 
     /// Offers features to the start until all that a path of cost `cost` may touch were.
@@ -427,11 +427,21 @@ impl<'a> AlongLinks<'a> {
             after = label;
         }
         stops.reverse();
-        Route { cost: last.cost, stops }
+        let places = [self.start.places[after.from as usize], self.target.places[last.place as usize]];
+        Route { cost: last.cost, stops, places }
     }
 
     /// Left normal, on the answered path, of the straight move that leads to a label; none where there is none.
     fn normal_before(&self, label: &Label) -> Option<Vector> {
+        if label.step == Step::Link {
+            let from = &self.room.labels[label.from as usize];
+            let (one, other) = (from.feature(), label.feature());
+            let border =
+                (from.side() == label.side()).then(|| self.terrain.along_border(one, other, label.side()));
+            if let Some(border) = border.flatten() {
+                return Some(border.normal);
+            }
+        }
         let signed = |label: &Label| {
             let circle = self.terrain.feature(label.feature());
             let sign = label.side().sign();

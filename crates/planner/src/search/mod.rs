@@ -22,7 +22,6 @@ mod successors;
 mod tangent;
 mod tree;
 
-pub(crate) use bundles::Bundles;
 pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 pub(crate) use ground::{Ground, Stretches};

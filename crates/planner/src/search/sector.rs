@@ -136,6 +136,7 @@ mod tests {
                 sweep: random.random_range(0.0..2.5),
                 before: None,
                 after: None,
+                straight_after: None,
                 owner: 0,
             };
             let (one, other) = (feature(4.0), feature(9.0));
