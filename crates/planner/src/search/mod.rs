@@ -5,6 +5,7 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod bundles;
 mod circles;
 mod departure;
 mod end;
@@ -21,7 +22,7 @@ mod successors;
 mod tangent;
 mod tree;
 
-pub(crate) use circles::Circles;
+pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
