@@ -7,6 +7,9 @@ use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, RapidRules, Ring,
 use traverse_planner::{Algorithm, PreparedScene, RapidMove};
 use traverse_solve::{Budget, Silent};
 
+/// A name, vertices by count, and the ends of a move round them.
+type Shape = (&'static str, fn(usize) -> Vec<Point>, [Point; 2]);
+
 /// Turns of the spiral.
 const TURNS: f64 = 6.0;
 
@@ -15,7 +18,7 @@ pub(crate) fn table() {
     println!("\none obstacle: µs by vertices, one shot; prepared, least of 3 repeats");
     let sizes = [2_500, 5_000, 10_000, 20_000];
     println!("{:>26} {:>10} {:>10} {:>10} {:>10}", "vertices", sizes[0], sizes[1], sizes[2], sizes[3]);
-    let shapes: [(&str, fn(usize) -> Vec<Point>, [Point; 2]); 2] = [
+    let shapes: [Shape; 2] = [
         ("circle", circle, [Point::new(-700.0, 3.0), Point::new(700.0, 1.0)]),
         ("spiral", spiral, [Point::new(-700.0, 3.0), Point::new(0.0, 0.0)]),
     ];

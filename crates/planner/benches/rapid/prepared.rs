@@ -12,7 +12,7 @@ use traverse_solve::{Budget, Silent};
 const ROUNDS: usize = 4;
 
 /// Prints a row for each size.
-pub(crate) fn table(sizes: &[usize], full: bool) {
+pub(crate) fn table(sizes: &[usize], full: bool, alone: bool) {
     println!("\nprepared: µs per query, least of 3 repeats, median (99th percentile)");
     head();
     for &n in sizes {
@@ -25,7 +25,7 @@ pub(crate) fn table(sizes: &[usize], full: bool) {
         };
         let scene = scattered(n, 0.0);
         let moves = moves(&scene, queries);
-        row(&n.to_string(), &[(scene, moves)]);
+        row(&n.to_string(), &[(scene, moves)], alone);
     }
 }
 
@@ -41,46 +41,52 @@ pub(crate) fn head() {
 struct Contest {
     kept: PreparedScene,
     round: PreparedScene,
-    plain: Mesh,
-    merged: Mesh,
+    /// Plain and merged.
+    peers: Option<[Mesh; 2]>,
 }
 
 impl Contest {
-    fn of(scene: &Scene) -> Self {
+    fn of(scene: &Scene, alone: bool) -> Self {
         let prepared = |scene: Scene| PreparedScene::new(scene, &Budget::unlimited()).unwrap();
         Self {
             kept: prepared(scene.clone()),
             round: prepared(Scene { clearance_mm: 1.5, ..scene.clone() }),
-            plain: mesh(scene, false),
-            merged: mesh(scene, true),
+            peers: (!alone).then(|| [false, true].map(|merged| mesh(scene, merged))),
         }
     }
 
     /// Microseconds of Traverse, of both meshes and of Traverse with a clearance.
     fn times(&mut self, query: &RapidMove) -> [f64; 4] {
         let (from, to) = (to_vec2(query.start), to_vec2(query.target));
+        let peer = |which: usize| {
+            let mesh = self.peers.as_ref().map(|peers| &peers[which]);
+            mesh.map_or(f64::NAN, |mesh| timed(|| mesh.path(from, to).map(|path| path.length)).0)
+        };
         [
             timed(|| self.kept.plan(query, &Budget::unlimited(), &mut Silent).is_ok()).0,
-            timed(|| self.plain.path(from, to).map(|path| path.length)).0,
-            timed(|| self.merged.path(from, to).map(|path| path.length)).0,
+            peer(0),
+            peer(1),
             timed(|| self.round.plan(query, &Budget::unlimited(), &mut Silent).is_ok()).0,
         ]
     }
 }
 
 /// Prints the row of some scenes and the moves in each. *Tail*: 99th percentile over median; *ratio*: to the merged mesh.
-pub(crate) fn row(name: &str, scenes: &[(Scene, Vec<RapidMove>)]) {
+pub(crate) fn row(name: &str, scenes: &[(Scene, Vec<RapidMove>)], alone: bool) {
     let mut least: Vec<[f64; 4]> = Vec::new();
     let mut links = 0;
     for (scene, moves) in scenes {
-        let mut contest = Contest::of(scene);
+        let mut contest = Contest::of(scene, alone);
         let first = least.len();
         least.resize(first + moves.len(), [f64::INFINITY; 4]);
         for round in 0..ROUNDS {
             for (query, least) in moves.iter().zip(&mut least[first..]) {
                 let times = contest.times(query);
                 if round > 0 {
-                    least.iter_mut().zip(times).for_each(|(least, time)| *least = least.min(time));
+                    least
+                        .iter_mut()
+                        .zip(times)
+                        .for_each(|(least, time)| *least = if time < *least { time } else { *least });
                 }
             }
         }

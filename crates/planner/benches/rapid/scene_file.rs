@@ -25,7 +25,7 @@ struct Region {
 }
 
 /// Compares every move with its optimum, here and 20 m out, and measures the prepared ones.
-pub(crate) fn table(file: &Path) {
+pub(crate) fn table(file: &Path, alone: bool) {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let whole: Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
     let tolerance = if name.starts_with("cam") { KNOWN_TO } else { MAPS_KNOWN_TO };
@@ -35,7 +35,7 @@ pub(crate) fn table(file: &Path) {
     }
     let scenes = regions(&whole, Vector::zeros()).into_iter().map(|region| (region.scene, region.moves));
     prepared::head();
-    prepared::row(&name, &scenes.collect::<Vec<_>>());
+    prepared::row(&name, &scenes.collect::<Vec<_>>(), alone);
 }
 
 fn compare(regions: &[Region], by: Vector, tolerance: f64) {
@@ -115,10 +115,10 @@ fn regions(whole: &Value, by: Vector) -> Vec<Region> {
     regions
 }
 
+/// Whether a point lies in the region or on its border.
 fn holds(scene: &Scene, p: Point) -> bool {
-    let within = |shape: &Polygon, not: Location| !shape.bounds().contains(p) || shape.locate(p) == not;
-    scene.work_area.as_ref().is_some_and(|area| !within(area, Location::Outside))
-        && scene.obstacles.iter().all(|obstacle| {
-            !obstacle.shape.bounds().contains(p) || obstacle.shape.locate(p) != Location::Inside
-        })
+    let locate =
+        |shape: &Polygon| if shape.bounds().contains(p) { shape.locate(p) } else { Location::Outside };
+    scene.work_area.as_ref().is_some_and(|area| locate(area) != Location::Outside)
+        && scene.obstacles.iter().all(|obstacle| locate(&obstacle.shape) != Location::Inside)
 }

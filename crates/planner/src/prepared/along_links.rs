@@ -200,12 +200,7 @@ impl<'a> AlongLinks<'a> {
                 continue;
             }
             let spot = self.terrain.spot(feature);
-            let radius = spot.plan_radius;
-            let by = spot.center - self.start.point;
-            if self.horizon.as_ref().is_some_and(|horizon| horizon.hides(by, radius)) {
-                continue;
-            }
-            let least = self.growth.least_cost(spot.center, radius);
+            let least = self.growth.least_cost(spot.center, spot.plan_radius);
             if least <= self.offered {
                 self.guess(feature, least);
             } else {
@@ -230,6 +225,11 @@ impl<'a> AlongLinks<'a> {
 
     /// Offers the start the tangents to a feature, of which no more is known than what a path by it costs at least.
     fn guess(&mut self, feature: u32, least: f64) {
+        let spot = self.terrain.spot(feature);
+        let by = spot.center - self.start.point;
+        if self.horizon.as_ref().is_some_and(|horizon| horizon.hides(by, spot.plan_radius)) {
+            return;
+        }
         for place in 0..self.start.places.len() {
             let ahead = Sector::all_round(self.start.places[place]);
             for side in ahead.may_reach(Side::Left, self.terrain.sector(feature)).into_iter().flatten() {

@@ -88,6 +88,7 @@ impl Sights {
     }
 
     /// The links from a feature that was seen from.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(super) fn links(&self, feature: u32, side: Side) -> &[Link] {
         let kept = self.known.get(feature as usize).and_then(|sides| sides[side as usize].as_ref());
         kept.map_or(&[], |kept| &kept.sight.links)

@@ -29,7 +29,9 @@ pub(crate) use known::Known;
 use known::Way;
 pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
-pub(crate) use seen::{Moves, SeenSearch};
+#[allow(unused_imports, reason = "for searches from one end to many")]
+pub(crate) use seen::Moves;
 pub(crate) use shortest::Search;
 pub(crate) use tangent::Tangent;
+#[allow(unused_imports, reason = "for searches from one end to many")]
 pub(crate) use tree::Room;
