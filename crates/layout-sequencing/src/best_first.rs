@@ -1,7 +1,7 @@
 //! Search on the true length, to proof: beginnings of layouts, the most promising first.
 //!
-//! A beginning is bounded by the table of completions where order is kept, by heights where sections slide freely, and
-//! by how far right everything that is left must stand at least. Of two beginnings with the same copies placed, the
+//! A beginning is bounded by tables of completions, by heights where sections slide freely, and by how far right
+//! everything that is left must stand at least. Of two beginnings with the same copies placed, the
 //! second is dropped when the first leaves every item that is left at least as far left and is nowhere longer: what
 //! matters of a skyline is where it lets the rest come. The least bound of all open beginnings bounds the layout.
 
@@ -21,8 +21,6 @@ const MOST_BYTES: usize = 192 << 20;
 const MOST_COMPARED: usize = 200;
 /// Heights at which freely sliding sections are bounded.
 const HEIGHTS: usize = 24;
-/// The most copies with which the free rule is searched this way.
-const MOST_FREE_COPIES: usize = 14;
 
 /// How the search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +57,7 @@ struct Thicknesses {
 struct Search<'a> {
     instance: &'a Instance,
     counts: Counts,
-    completion: Option<&'a Completion>,
+    tables: &'a [Completion],
     thicknesses: Option<Thicknesses>,
     beginnings: Vec<Beginning>,
     open: BinaryHeap<(Reverse<i64>, usize, u32)>,
@@ -70,22 +68,19 @@ struct Search<'a> {
 /// Searches until everything is decided, memory runs out or the budget ends.
 pub(crate) fn search(
     instance: &Instance,
-    completion: Option<&Completion>,
+    tables: &[Completion],
     progress: &mut Progress<'_>,
     budget: &Budget,
 ) -> Result<Searched, Interrupt> {
     let free = instance.rule == SlideRule::Free;
-    let Some(counts) = Counts::of(instance) else { return Ok(Searched::Part) };
-    if !instance.has_all_offsets()
-        || (free && instance.copies > MOST_FREE_COPIES)
-        || (!free && completion.is_none())
-    {
+    let everything = vec![true; instance.kinds.len()];
+    let Some(counts) = Counts::of(instance, &everything).filter(|_| !tables.is_empty()) else {
         return Ok(Searched::Part);
-    }
+    };
     let mut search = Search {
         instance,
         counts,
-        completion: completion.filter(|_| !free),
+        tables,
         thicknesses: free.then(|| Thicknesses::of(instance)),
         beginnings: vec![],
         open: BinaryHeap::new(),
@@ -212,30 +207,38 @@ impl Search<'_> {
     /// No layout that begins so is shorter.
     fn bound(&self, beginning: &Beginning) -> i64 {
         let instance = self.instance;
-        let mut bound = beginning.end;
-        let mut completed = NO_COMPLETION;
-        let last = instance.items[beginning.item as usize].kind;
+        let mut bound = beginning.end.max(self.front_bound(beginning));
         for kind in 0..instance.kinds.len() {
-            if self.counts.left(beginning.state, kind) == 0 {
+            if self.counts.left(beginning.state, kind) > 0 {
+                let items = instance.kinds[kind].items.clone();
+                let nearest = items.map(|item| beginning.next[item] + instance.items[item].width).min();
+                bound = bound.max(nearest.unwrap_or(0));
+            }
+        }
+        for (number, table) in self.tables.iter().enumerate() {
+            let state = table.counts.within(&self.counts, beginning.state);
+            if state > 0 {
+                bound = bound.max(self.table_bound(beginning, table, state, number == 0));
+            }
+        }
+        bound
+    }
+
+    /// By the chain of what is left of a table's kinds.
+    fn table_bound(&self, beginning: &Beginning, table: &Completion, state: usize, neighbours: bool) -> i64 {
+        let instance = self.instance;
+        let last = instance.items[beginning.item as usize].kind;
+        let mut shortest = NO_COMPLETION;
+        for kind in 0..instance.kinds.len() {
+            if !table.counts.may_come(state, kind) || (neighbours && !instance.may_join(last, kind)) {
                 continue;
             }
-            let items = instance.kinds[kind].items.clone();
-            let nearest = items.clone().map(|item| beginning.next[item] + instance.items[item].width).min();
-            bound = bound.max(nearest.unwrap_or(0));
-            if let Some(completion) = self.completion
-                && self.counts.may_come(beginning.state, kind)
-                && instance.may_join(last, kind)
-            {
-                let rest = self.counts.without(beginning.state, kind);
-                let through =
-                    items.map(|item| beginning.next[item].saturating_add(completion.length(rest, item)));
-                completed = completed.min(through.min().unwrap_or(NO_COMPLETION));
+            let rest = table.counts.without(state, kind);
+            for item in instance.kinds[kind].items.clone() {
+                shortest = shortest.min(beginning.next[item].saturating_add(table.length(rest, item)));
             }
         }
-        if self.completion.is_some() {
-            return bound.max(completed);
-        }
-        bound.max(self.front_bound(beginning))
+        shortest
     }
 
     /// At every height what is left stands to the right of what is placed.

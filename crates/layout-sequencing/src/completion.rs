@@ -1,6 +1,8 @@
 //! The shortest way to place what is left, by neighbours alone: a table over counts of what is left and the item placed
-//! last, filled from nothing left upwards (Held and Karp 1962, over counts). With kept order it bounds every completion
-//! from below, poses included; its last entry bounds the layout.
+//! last, filled from nothing left upwards (Held and Karp 1962, over counts). It bounds every completion from below,
+//! poses included, and its last entry bounds the layout: what stands further right is at least that far from what stands
+//! anywhere left of it, so any chain of sections is no longer than the layout. For the same reason a table over *some*
+//! kinds bounds the layout, too, and better where others leave heights uncovered.
 //!
 //! Memory is items · Π (quantity + 1) numbers of four bytes, time that times the items. Entries count in a coarser unit
 //! where the layout is longer than 2³⁰ units of the grid, rounded down: a bound then misses less than that unit for each
@@ -37,14 +39,17 @@ pub(crate) struct Counts {
     /// Kinds that must be used up before a kind may come.
     before: Vec<Vec<usize>>,
     last: Option<usize>,
+    /// Whether every kind is counted.
+    whole: bool,
     size: usize,
 }
 
 impl Counts {
-    /// Nothing when there are too many to number.
-    pub(crate) fn of(instance: &Instance) -> Option<Self> {
+    /// Of the kinds that are members. Nothing when there are too many to number.
+    pub(crate) fn of(instance: &Instance, members: &[bool]) -> Option<Self> {
         let kinds = instance.kinds.len();
-        let quantity: Vec<usize> = (0..kinds).map(|kind| instance.quantity(kind)).collect();
+        let quantity: Vec<usize> =
+            (0..kinds).map(|kind| if members[kind] { instance.quantity(kind) } else { 0 }).collect();
         let mut stride = vec![];
         let mut size = 1_usize;
         for &quantity in &quantity {
@@ -52,10 +57,11 @@ impl Counts {
             size = size.checked_mul(quantity + 1)?;
         }
         let mut before = vec![vec![]; kinds];
-        for &(early, late) in &instance.precedences {
+        for (early, late) in instance.all_precedences() {
             before[late].push(early);
         }
-        Some(Self { stride, quantity, before, last: instance.last, size })
+        let whole = members.iter().all(|&member| member);
+        Some(Self { stride, quantity, before, last: instance.last, whole, size })
     }
 
     /// All copies of all kinds are left.
@@ -66,6 +72,15 @@ impl Counts {
     /// How many copies of a kind are left.
     pub(crate) fn left(&self, state: usize, kind: usize) -> usize {
         state / self.stride[kind] % (self.quantity[kind] + 1)
+    }
+
+    /// What is left of these kinds when of all kinds `state` of `all` is left.
+    pub(crate) fn within(&self, all: &Self, state: usize) -> usize {
+        if self.whole {
+            return state;
+        }
+        let counted = (0..self.stride.len()).filter(|&kind| self.quantity[kind] > 0);
+        counted.map(|kind| all.left(state, kind) * self.stride[kind]).sum()
     }
 
     /// What is left after one more copy of the kind.
@@ -83,19 +98,27 @@ impl Counts {
 }
 
 impl Completion {
-    /// The table, for completions up to `longest`, the length of a layout that is known. Nothing when it is too large.
-    pub(crate) fn of(instance: &Instance, longest: i64, budget: &Budget) -> Result<Option<Self>, Interrupt> {
+    /// The table over the kinds that are members, for completions up to `longest`, the length of a layout that is
+    /// known. Forbidden joins count only where all kinds are members: others may stand between. Nothing when the table
+    /// would be too large.
+    pub(crate) fn of(
+        instance: &Instance,
+        members: &[bool],
+        longest: i64,
+        budget: &Budget,
+    ) -> Result<Option<Self>, Interrupt> {
         let items = instance.items.len();
         let bytes = |counts: &Counts| counts.size.saturating_mul(items).saturating_mul(size_of::<i32>());
-        let Some(counts) = Counts::of(instance).filter(|counts| bytes(counts) <= MOST_BYTES) else {
+        let Some(counts) = Counts::of(instance, members).filter(|counts| bytes(counts) <= MOST_BYTES) else {
             return Ok(None);
         };
         let unit = longest / i64::from(NONE - 1) + 1;
-        let entry = |length: i64| (length / unit).min(i64::from(NONE)) as i32;
+        let limit = i64::from(NONE);
+        let entry = |length: i64| length.div_euclid(unit).clamp(-limit, limit) as i32;
         let widths: Vec<i32> = instance.items.iter().map(|item| entry(item.width)).collect();
         let joined = |at: usize| {
             let (left, right) = (at / items, at % items);
-            let allowed = instance.may_join(instance.items[left].kind, instance.items[right].kind);
+            let allowed = !counts.whole || instance.may_join(instance.items[left].kind, instance.items[right].kind);
             if allowed { entry(instance.offset(left, right)) } else { NONE }
         };
         let offsets: Vec<i32> = (0..items * items).map(joined).collect();
@@ -114,13 +137,14 @@ impl Completion {
                 next[own.clone()].copy_from_slice(&least[rest + own.start..rest + own.end]);
             }
             for kind in 0..instance.kinds.len() {
-                // What was placed last is not left.
-                if counts.left(state, kind) == counts.quantity[kind] {
+                // What was placed last is not left; what is no member may be placed any time.
+                if counts.quantity[kind] > 0 && counts.left(state, kind) == counts.quantity[kind] {
                     continue;
                 }
                 for before in instance.kinds[kind].items.clone() {
                     let row = &offsets[before * items..][..items];
-                    let through = row.iter().zip(&next).map(|(offset, next)| offset + next);
+                    // Offsets may be below 0: what is not allowed stays so.
+                    let through = row.iter().zip(&next).map(|(&offset, &next)| if next == NONE { NONE } else { offset + next });
                     let shortest = through.fold(NONE, i32::min);
                     least[state * items + before] = shortest.max(widths[before]).min(NONE);
                 }
@@ -148,8 +172,8 @@ impl Completion {
     pub(crate) fn bound(&self, instance: &Instance) -> i64 {
         let full = self.counts.full();
         let starts = |kind: usize| {
-            let first = instance.first.is_none_or(|first| first == kind);
-            first && self.counts.may_come(full, kind)
+            let first = instance.first.filter(|&first| self.counts.quantity[first] > 0);
+            first.is_none_or(|first| first == kind) && self.counts.may_come(full, kind)
         };
         let begins = (0..instance.kinds.len()).filter(|&kind| starts(kind)).flat_map(|kind| {
             let rest = self.counts.without(full, kind);

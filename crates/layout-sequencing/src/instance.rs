@@ -12,6 +12,7 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use traverse_geometry::{PlacedSection, Pose, Section, SectionLayout, SlideRule};
 use traverse_solve::{Budget, Interrupt};
+use traverse_tours::LARGEST_COST;
 
 /// Copies that are interchangeable.
 #[derive(Clone, Debug)]
@@ -215,6 +216,20 @@ impl Instance {
     /// Whether all copies of one kind come before all of the other.
     pub(crate) fn comes_before(&self, before: usize, after: usize) -> bool {
         self.before.contains(&(before, after))
+    }
+
+    /// All pairs of kinds of which one comes before the other.
+    pub(crate) fn all_precedences(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.before.iter().copied()
+    }
+
+    /// The least offset of one kind behind another in any poses, less the left one's width: what a chain of sections
+    /// counts. Holds for both slide rules.
+    pub(crate) fn chain_cost(&self, left: usize, right: usize) -> i64 {
+        let width = self.items[self.kinds[left].items.start].width;
+        let pairs = self.kinds[left].items.clone().flat_map(|i| self.kinds[right].items.clone().map(move |j| (i, j)));
+        let least = pairs.map(|(i, j)| self.offset(i, j)).min().unwrap_or(0);
+        least.max(-LARGEST_COST / 2) - width.min(LARGEST_COST / 2)
     }
 
     /// The least cost of one kind behind another in any poses, as a path of kinds counts it: what the offset leaves of

@@ -43,6 +43,7 @@
 mod answer;
 mod best_first;
 mod certificate;
+mod chain_bound;
 mod completion;
 mod contact;
 mod curve;

@@ -7,11 +7,12 @@
 use crate::answer::{Ending, LayoutAnswer, LayoutPlan};
 use crate::best_first::{Searched, search};
 use crate::certificate::BoundCertificate;
+use crate::chain_bound::chain_bound;
 use crate::completion::{Completion, NO_COMPLETION};
 use crate::findings::layout_findings;
 use crate::height_bound::height_bound;
 use crate::improvement::Improvement;
-use crate::instance::Instance;
+use crate::instance::{Instance, Kind};
 use crate::layout::{bounding_box_length_mm, contacts, layout_length_mm, published_length_mm};
 use crate::options::{Algorithm, EffectModel, OrderOptions};
 use crate::placing::Placing;
@@ -19,11 +20,14 @@ use crate::pose_choice::choose_poses;
 use crate::progress::Progress;
 use crate::published_order::order_as_published;
 use crate::relaxation::{Relaxed, relax};
-use traverse_geometry::{Finding, PlacedSection, SectionLayout, SlideRule};
+use traverse_geometry::{Finding, PlacedSection, SectionLayout};
 use traverse_solve::{Budget, Interrupt, Observer};
 
-/// What of the budget the order by neighbours may take, and of what is then left the search that proves.
+/// What of the budget the order by neighbours may take.
 const RELAXATION_SHARE: f64 = 0.4;
+/// What of it the choice of sections whose chain bounds best, the table of completions, and the search that proves may
+/// take in turn.
+const CHAIN_SHARE: f64 = 0.1;
 const TABLE_SHARE: f64 = 0.4;
 const PROOF_SHARE: f64 = 0.6;
 
@@ -54,12 +58,14 @@ pub fn order_sections(
         iterations: 0,
         algorithm: options.algorithm.name(),
     };
-    match layout_findings(layout, options, budget) {
+    // Preparation is no iteration: only time and cancel end it.
+    let preparation = Budget { iterations: None, ..budget.clone() };
+    match layout_findings(layout, options, &preparation) {
         Ok(findings) if findings.is_empty() => {}
         Ok(findings) => return Err(findings),
         Err(interrupt) => return Ok(unknown(interrupt)),
     }
-    let instance = match Instance::of(layout, options.threads, budget) {
+    let instance = match Instance::of(layout, options.threads, &preparation) {
         Ok(instance) => instance,
         Err(interrupt) => return Ok(unknown(interrupt)),
     };
@@ -68,6 +74,7 @@ pub fn order_sections(
         instance: &instance,
         options,
         budget,
+        preparation: &preparation,
         progress: Progress::new(&instance, options.gap_limit, observer),
         certificate: BoundCertificate::None,
         certified: 0,
@@ -81,6 +88,8 @@ struct Order<'a> {
     instance: &'a Instance,
     options: &'a OrderOptions,
     budget: &'a Budget,
+    /// The same without a limit of iterations.
+    preparation: &'a Budget,
     progress: Progress<'a>,
     certificate: BoundCertificate,
     certified: i64,
@@ -89,7 +98,7 @@ struct Order<'a> {
 impl Order<'_> {
     fn run(&mut self) -> Result<Ending, Interrupt> {
         self.offer_given();
-        let (bound, certificate) = height_bound(self.instance, self.budget)?;
+        let (bound, certificate) = height_bound(self.instance, self.preparation)?;
         self.certified = bound;
         self.certificate = certificate;
         self.progress.raise_bound(bound);
@@ -113,7 +122,7 @@ impl Order<'_> {
             return Ok(if self.progress.is_proven() { Ending::ProvenOptimal } else { Ending::Exhausted });
         }
         if let Some(order) = relaxed.order.filter(|order| self.instance.is_allowed(order)) {
-            let items = choose_poses(self.instance, &order, self.budget)?;
+            let items = choose_poses(self.instance, &order, self.preparation)?;
             self.progress.offer(&items, Placing::of(self.instance, &items).length());
         }
         self.search()
@@ -178,7 +187,7 @@ impl Order<'_> {
         if self.progress.is_close_enough() {
             return Ok(self.close_ending());
         }
-        let mut improvement = Improvement::new(instance, seed, self.budget)?;
+        let mut improvement = Improvement::new(instance, seed, self.preparation)?;
         improvement.round(&mut self.progress, self.budget)?;
         if self.progress.is_close_enough() {
             return Ok(self.close_ending());
@@ -202,18 +211,24 @@ impl Order<'_> {
 
     /// The search that proves, where the layout is for it. An ending when everything is decided.
     fn prove(&mut self) -> Result<Option<Ending>, Interrupt> {
-        let share = self.budget.share(TABLE_SHARE, self.progress.iterations());
-        let boxes: i64 = self.instance.kinds.iter().map(|kind| self.instance.items[kind.items.start].reach * kind.copies.len() as i64).sum();
-        let longest = self.progress.upper().min(boxes);
-        let completion = match self.instance.rule {
-            SlideRule::KeepOrder if self.instance.has_all_offsets() => {
-                Completion::of(self.instance, longest, &share).unwrap_or(None)
-            }
-            _ => None,
-        };
-        if let Some(completion) = &completion {
-            let bound = completion.bound(self.instance);
-            self.progress.count_coarsely(completion.coarseness(self.instance));
+        let instance = self.instance;
+        if !instance.has_all_offsets() {
+            return Ok(None);
+        }
+        let share = self.budget.share(CHAIN_SHARE, self.progress.iterations());
+        let chain = chain_bound(instance, self.options.seed, &mut self.progress, &share);
+        if self.progress.is_close_enough() {
+            return Ok(Some(self.close_ending()));
+        }
+        let share = Budget { iterations: None, ..self.budget.share(TABLE_SHARE, 0) };
+        let boxes = |kind: &Kind| instance.items[kind.items.start].reach * kind.copies.len() as i64;
+        let longest = self.progress.upper().min(instance.kinds.iter().map(boxes).sum());
+        let everything = vec![true; instance.kinds.len()];
+        let mut tables = vec![];
+        for members in [Some(everything), chain].into_iter().flatten() {
+            let Ok(Some(table)) = Completion::of(instance, &members, longest, &share) else { break };
+            let bound = table.bound(instance);
+            self.progress.count_coarsely(table.coarseness(instance));
             if bound >= NO_COMPLETION && self.progress.best().is_none() {
                 return Ok(Some(Ending::ProvenInfeasible));
             }
@@ -221,12 +236,13 @@ impl Order<'_> {
             if self.progress.is_close_enough() {
                 return Ok(Some(self.close_ending()));
             }
+            tables.push(table);
         }
         let done = self.progress.iterations();
         let mut share = self.budget.share(PROOF_SHARE, done);
         // The search counts on from what was done.
         share.iterations = share.iterations.map(|limit| limit.saturating_add(done));
-        let searched = search(self.instance, completion.as_ref(), &mut self.progress, &share);
+        let searched = search(instance, &tables, &mut self.progress, &share);
         Ok(match searched {
             Ok(Searched::Everything) if self.progress.best().is_none() => Some(Ending::ProvenInfeasible),
             Ok(Searched::Everything) => Some(Ending::ProvenOptimal),

@@ -23,7 +23,7 @@ fn joins_touch_and_come_no_nearer_on_the_way() {
     let mut found = 0;
     for (seed, borders) in [(1, Borders::Straight), (2, Borders::Round), (3, Borders::Steps)] {
         let mut chance = Seed(seed).stream();
-        for case in 0..150 {
+        for case in 0..80 {
             let (left, right) = (section("l", borders, &mut chance), section("r", borders, &mut chance));
             let pose = Pose::ALL[case % 4];
             for gap in [0.0, 0.5, 3.0] {
@@ -63,7 +63,7 @@ fn joins_touch_and_come_no_nearer_on_the_way() {
             }
         }
     }
-    assert!(found > 1_000, "{found}");
+    assert!(found > 600, "{found}");
 }
 
 #[test]
