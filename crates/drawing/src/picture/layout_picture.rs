@@ -2,7 +2,7 @@
 //! lengths, and what is saved.
 
 use super::file;
-use super::frame::{Frame, MARGIN, WIDTH};
+use super::frame::{Box2, Frame, MARGIN, WIDTH};
 use super::header::Header;
 use super::legend::Legend;
 use super::outline::polygon_data;
@@ -35,6 +35,10 @@ const DIMENSION: f64 = 64.0;
 const MOST_CONTACTS: usize = 500;
 /// More sections than this are drawn with finer lines.
 const FINE_FROM: usize = 150;
+/// How far up and down an id may stand from the middle of its section, lines.
+const LINES: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0];
+/// So many ids back another one may be in the way.
+const NEIGHBOURS: usize = 12;
 /// The styles of layouts alone.
 const SHEET: &str = "<style>
 .strip{fill:#f4f5f7;stroke:#5c6670;stroke-width:1.2}
@@ -100,6 +104,7 @@ pub fn picture_of_layout(shown: &ShownLayout<'_>, title: &str) -> String {
     }
     let note = match unnamed.len() {
         0 => String::new(),
+        1 => "1 section is too narrow for its id".to_owned(),
         count => format!("{count} sections are too narrow for their ids"),
     };
     let legend = Legend::new(entries, note, &frame);
@@ -115,11 +120,7 @@ fn header(shown: &ShownLayout<'_>, title: &str, before: f64, after: f64) -> Head
         saved if saved >= 0.0 => format!("{} saved ({share:.1} %)", millimetres(saved)),
         more => format!("{} more", millimetres(-more)),
     };
-    let header = Header::titled(title).with_strong(&format!(
-        "{sections} in {}, by bounding boxes {}: {change}",
-        millimetres(after),
-        millimetres(before)
-    ));
+    let header = Header::titled(title).with_strong(&format!("{sections}, {}: {change}", millimetres(after)));
     match shown.lower_bound_mm {
         None => header,
         Some(bound) if bound >= after => header.with("proven: no layout reached by sliding is shorter"),
@@ -224,24 +225,36 @@ impl Row<'_> {
         }
     }
 
-    /// Ids in the middle of sections that are wide enough; which are not.
+    /// Ids in the middle of sections that are wide enough, above or below where another one stands already; which are
+    /// not.
     fn ids(&self, svg: &mut String, order: &[PlacedSection]) -> BTreeSet<usize> {
         let mut unnamed = BTreeSet::new();
+        let mut taken: Vec<Box2> = Vec::new();
         for placed in order {
             let Some(section) = self.layout.sections.get(placed.section) else { continue };
             let bounds = section.bounds();
             let width = bounds.size().x * self.frame.scale;
             let (x, y) = self.place(placed.x_mm + bounds.size().x / 2.0, bounds.center().y);
-            if width_of(&section.id, SMALL, Weight::Regular) + 4.0 <= width {
-                push_text(svg, "id", x, y + SMALL * 0.35, &section.id);
-            } else if width >= 3.0 * SMALL {
-                push_text(
-                    svg,
-                    "id",
-                    x,
-                    y + SMALL * 0.35,
-                    &fitted(&section.id, SMALL, Weight::Regular, width),
-                );
+            let text = match width_of(&section.id, SMALL, Weight::Regular) {
+                wide if wide + 4.0 <= width => section.id.clone(),
+                _ => fitted(&section.id, SMALL, Weight::Regular, width),
+            };
+            let half = width_of(&text, SMALL, Weight::Regular) / 2.0;
+            let at = |lines: f64| {
+                let y = y + lines * SMALL * 1.2;
+                Box2 { left: x - half, top: y - SMALL * 0.6, right: x + half, bottom: y + SMALL * 0.6 }
+            };
+            let (_, top) = self.place(0.0, bounds.max.y);
+            let (_, bottom) = self.place(0.0, bounds.min.y);
+            // Sections overlap in x only with near neighbours: the last few labels are all that can be in the way.
+            let is_free = |area: &Box2| {
+                let inside = area.top >= top && area.bottom <= bottom;
+                inside && !taken.iter().rev().take(NEIGHBOURS).any(|other| other.meets(area))
+            };
+            let place = LINES.into_iter().map(at).find(is_free).filter(|_| width >= 3.0 * SMALL);
+            if let Some(area) = place {
+                push_text(svg, "id", x, f64::midpoint(area.top, area.bottom) + SMALL * 0.35, &text);
+                taken.push(area);
             } else {
                 unnamed.insert(placed.section);
             }
