@@ -3,7 +3,9 @@
 
 use traverse_checker::{PathCheck, check_rapid_move_by_while};
 use traverse_geometry::Scene;
-use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
+use traverse_planner::{
+    Answer, RapidMove, Refusal, Stats, ToolChange, ToolChangeAnswer, plan_rapid_move, plan_tool_change,
+};
 use traverse_proto::CheckQuestion;
 use traverse_solve::{Budget, Silent};
 
@@ -20,6 +22,19 @@ pub trait Engines: Send + Sync + 'static {
         budget: &Budget,
     ) -> Result<(Answer, Stats), Vec<Refusal>> {
         plan_rapid_move(scene, query, budget, &mut Silent)
+    }
+
+    /// Places one tool change.
+    ///
+    /// # Errors
+    /// As [`plan_tool_change`].
+    fn place_tool_change(
+        &self,
+        scene: &Scene,
+        change: &ToolChange,
+        budget: &Budget,
+    ) -> Result<(ToolChangeAnswer, Stats), Vec<Refusal>> {
+        plan_tool_change(scene, change, budget, &mut Silent)
     }
 
     /// Checks one rapid move. None: the budget ended first.

@@ -38,6 +38,7 @@ mod pool;
 mod server;
 mod signal;
 mod telemetry;
+mod tool_change;
 
 pub use caller::{CallError, Caller};
 pub use config::{Config, ConfigError, DEFAULT_PORT};

@@ -39,6 +39,7 @@ mod leg;
 mod message;
 mod mitre;
 mod path_shape;
+mod place_check;
 mod rapid_check;
 mod rules_check;
 mod seam;
@@ -47,6 +48,7 @@ mod strip;
 mod touching;
 mod violation;
 
+pub use place_check::{PlaceCheck, PlacedChange, check_tool_change};
 pub use rapid_check::{
     PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
     check_rapid_move_while,

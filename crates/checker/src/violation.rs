@@ -77,6 +77,9 @@ reasons! {
     SlantedStep = "SLANTED_STEP",
     /// The way out of or into a barrier does not run in the direction asked for. Amount: how far off its end lies.
     WrongDirection = "WRONG_DIRECTION",
+    /// The tool is changed where no region and no point permits it. Amount: how far from the nearest; 0 where nothing
+    /// is permitted.
+    PlaceNotPermitted = "PLACE_NOT_PERMITTED",
 }
 
 impl fmt::Display for ViolationReason {

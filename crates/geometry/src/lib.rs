@@ -67,7 +67,7 @@ pub use path::{Path, PathArc, PathStep};
 pub use point::{Point, Vector, cross, left_of, positive_angle, unit};
 pub use polygon::Polygon;
 pub use polyline::Polyline;
-pub use rapid_rules::{CLEARANCE_CHOICES, EndRule, HeightRule, RapidRules};
+pub use rapid_rules::{ALTERNATIVE_LIMIT, CLEARANCE_CHOICES, EndRule, HeightRule, RapidRules};
 pub use ring::Ring;
 pub use scene::{CornerStyle, MITER_RATIO_LIMIT, Obstacle, Scene, WORK_AREA_ID};
 pub use section::{Part, PlacedSection, Pose, Section, SectionLayout, SlideRule};

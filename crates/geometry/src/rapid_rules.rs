@@ -6,6 +6,9 @@ use crate::{COORDINATE_LIMIT_MM, Finding, Obstacle, Reason, Vector};
 /// Most clearances of one list.
 pub const CLEARANCE_CHOICES: usize = 16;
 
+/// Most ways round of other kinds.
+pub const ALTERNATIVE_LIMIT: usize = 16;
+
 /// What a rapid move may do. The default: no heights, the scene's clearance, ends outside every barrier.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RapidRules {
@@ -18,6 +21,8 @@ pub struct RapidRules {
     pub leave: EndRule,
     /// What happens where the target lies inside a barrier.
     pub enter: EndRule,
+    /// How many locally shortest ways round of other kinds are wanted as well, at most [`ALTERNATIVE_LIMIT`].
+    pub alternative_count: usize,
 }
 
 /// Lets the tool rise and pass over what is low enough.
@@ -55,13 +60,18 @@ pub enum EndRule {
 
 impl RapidRules {
     /// Everything that is wrong, in the order of the fields: `heights.…`, `clearances_mm[i]`, `leave.direction`,
-    /// `enter.direction`.
+    /// `enter.direction`, `alternative_count`.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = self.heights.map_or_else(Vec::new, |heights| heights.findings());
         findings.extend(clearances_findings(&self.clearances_mm));
         findings.extend(self.leave.finding("leave"));
         findings.extend(self.enter.finding("enter"));
+        if self.alternative_count > ALTERNATIVE_LIMIT {
+            let count = self.alternative_count;
+            let message = format!("{count} alternatives asked for, at most {ALTERNATIVE_LIMIT} permitted; ask for fewer");
+            findings.push(Finding::new("alternative_count", Reason::TooMany, count, message));
+        }
         findings
     }
 }
@@ -169,6 +179,7 @@ mod tests {
             clearances_mm: vec![3.0, 3.0, f64::NAN, 1e-9],
             leave: EndRule::Direction(Vector::zeros()),
             enter: EndRule::Direction(Vector::new(f64::INFINITY, 0.0)),
+            alternative_count: 17,
         };
         let found: Vec<_> = rules.findings().into_iter().map(|found| (found.field, found.reason)).collect();
         let expected = [
@@ -179,6 +190,7 @@ mod tests {
             ("clearances_mm[3]", Reason::OutOfRange),
             ("leave.direction", Reason::OutOfRange),
             ("enter.direction", Reason::NotFinite),
+            ("alternative_count", Reason::TooMany),
         ];
         assert_eq!(found, expected.map(|(field, reason)| (field.to_owned(), reason)));
         let many = RapidRules { clearances_mm: vec![1.0; 17], ..RapidRules::default() };

@@ -11,7 +11,7 @@ use crate::trace::trace;
 use crate::way_out::way_out;
 use crate::{RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
-use traverse_geometry::{EndRule, Path, Point, Scene};
+use traverse_geometry::{EndRule, HeightRule, Path, Point, Scene};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
 /// What a move comes to at one clearance.
@@ -146,36 +146,14 @@ impl<'a> AtClearance<'a> {
         let heights = rules.heights;
         let start_z = heights.map_or(0.0, |rule| rule.start_z_mm);
         let target_z = heights.map_or(0.0, |rule| rule.target_z_mm);
-        let start = self.clear_end("start", *start, start_z, &rules.leave)?;
-        let target = self.clear_end("target", *target, target_z, &rules.enter)?;
+        let out =
+            |field, point, z_mm, rule| clear_end(self.barriers, heights, (field, point, z_mm), rule, self.budget);
+        let start = out("start", *start, start_z, &rules.leave)?;
+        let target = out("target", *target, target_z, &rules.enter)?;
         Ok(match (start, target) {
             (Ok(start), Ok(target)) => Ok([start, target]),
             (start, target) => Err([start.err(), target.err()].into_iter().flatten().flatten().collect()),
         })
-    }
-
-    fn clear_end(
-        &self,
-        field: &'static str,
-        point: Point,
-        z_mm: f64,
-        rule: &EndRule,
-    ) -> Result<Result<Point, Vec<Refusal>>, Interrupt> {
-        let left_out = passed_over(self.barriers, self.query.rules.heights, z_mm);
-        let inside = depths(self.barriers, &left_out, point, self.budget)?;
-        if inside.is_empty() {
-            return Ok(Ok(point));
-        }
-        let name = |owner: usize| self.barriers.id(owner).to_owned();
-        if *rule == EndRule::Refuse {
-            let refusal = |(owner, depth_mm)| {
-                let obstacle = name(owner);
-                Refusal::EndInsideBarrier { field, obstacle, depth_mm }
-            };
-            return Ok(Err(inside.into_iter().map(refusal).collect()));
-        }
-        let found = way_out(self.barriers, &left_out, &inside, point, rule, self.budget)?;
-        Ok(found.map_err(|shut| vec![Refusal::EndShutIn { field, obstacle: name(shut.by), why: shut.why }]))
     }
 
     /// The shortest path in the plane at a level: its length, and it.
@@ -266,6 +244,35 @@ impl<'a> AtClearance<'a> {
         ids.dedup();
         ids
     }
+}
+
+/// Where an end (its field, its place, its height) is clear of every barrier: itself, or where the way out that `rule`
+/// asks for ends.
+///
+/// # Errors
+/// The budget ended; within, why there is no such place.
+pub(crate) fn clear_end(
+    barriers: &Barriers<'_>,
+    heights: Option<HeightRule>,
+    (field, point, z_mm): (&'static str, Point, f64),
+    rule: &EndRule,
+    budget: &Budget,
+) -> Result<Result<Point, Vec<Refusal>>, Interrupt> {
+    let left_out = passed_over(barriers, heights, z_mm);
+    let inside = depths(barriers, &left_out, point, budget)?;
+    if inside.is_empty() {
+        return Ok(Ok(point));
+    }
+    let name = |owner: usize| barriers.id(owner).to_owned();
+    if *rule == EndRule::Refuse {
+        let refusal = |(owner, depth_mm)| {
+            let obstacle = name(owner);
+            Refusal::EndInsideBarrier { field, obstacle, depth_mm }
+        };
+        return Ok(Err(inside.into_iter().map(refusal).collect()));
+    }
+    let found = way_out(barriers, &left_out, &inside, point, rule, budget)?;
+    Ok(found.map_err(|shut| vec![Refusal::EndShutIn { field, obstacle: name(shut.by), why: shut.why }]))
 }
 
 /// Hears a search's bounds and passes them on as the whole move's.

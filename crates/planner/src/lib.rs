@@ -54,9 +54,11 @@ mod separating;
 mod shortest_route;
 mod standing;
 mod supporting_lines;
+mod tool_change;
 mod trace;
 mod way_out;
 
 pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 pub use prepared::{EditRefusal, PreparedScene};
 pub use rapid_move::plan_rapid_move;
+pub use tool_change::{ToolChange, ToolChangeAnswer, ToolChangePlan, plan_tool_change};

@@ -54,8 +54,12 @@ pub mod v1 {
 pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/traverse.bin"));
 
 pub use count::check_counts;
-pub use decode::{CheckQuestion, PlanQuestion, path_from_wire, requested_time_limit};
-pub use encode::{check_answer, check_request, plan_answer, plan_request, sound_answer};
+pub use decode::{
+    CheckQuestion, PlanQuestion, ToolChangeQuestion, path_from_wire, requested_time_limit, rules_time_limit,
+};
+pub use encode::{
+    check_answer, check_request, plan_answer, plan_request, sound_answer, tool_change_answer, tool_change_request,
+};
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;
 pub use refused::{REASONS, Refused};

@@ -8,6 +8,7 @@
 mod circles;
 mod departure;
 mod end;
+mod fan;
 mod ground;
 mod known;
 mod label;
@@ -23,6 +24,9 @@ mod tree;
 
 pub(crate) use circles::Circles;
 pub(crate) use end::End;
+#[cfg(test)]
+pub(crate) use fan::Turn;
+pub(crate) use fan::{Aim, Bend, Fan};
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;

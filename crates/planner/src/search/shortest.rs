@@ -33,7 +33,7 @@ const STANCES_BETWEEN_CHECKS: u32 = 256;
 
 /// A search under way.
 pub(crate) struct Search<'a> {
-    tree: Tree<'a>,
+    pub(super) tree: Tree<'a>,
     pub(crate) known: Known<'a>,
     /// No path costs less, millimetres.
     pub(crate) lower_bound: f64,
@@ -87,7 +87,7 @@ impl<'a> Search<'a> {
     }
 
     /// Offers a stance some features, and what its own goes over into, as far as it is among them.
-    fn connect(&mut self, stance: u32, features: Range<usize>, budget: &Budget) -> Result<(), Interrupt> {
+    pub(super) fn connect(&mut self, stance: u32, features: Range<usize>, budget: &Budget) -> Result<(), Interrupt> {
         self.tree.push_over(&self.known, stance, |other| features.contains(&(other as usize)));
         for part in features.start / FEATURES_BETWEEN_CHECKS..=features.end / FEATURES_BETWEEN_CHECKS {
             let first = part * FEATURES_BETWEEN_CHECKS;
@@ -111,7 +111,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether nothing is in the way of the straight move that leads to the label. Meets what is.
-    fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
+    pub(super) fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
         let Some(leg) = self.tree.leg(&self.known, label) else { return Ok(true) };
         match self.known.way(leg.planned.from, leg.planned.to) {
             Way::Free => Ok(true),
@@ -121,7 +121,7 @@ impl<'a> Search<'a> {
     }
 
     /// Meets the barriers that block the feature's arc.
-    fn meet_beside(&mut self, feature: u32, budget: &Budget) -> Result<(), Interrupt> {
+    pub(super) fn meet_beside(&mut self, feature: u32, budget: &Budget) -> Result<(), Interrupt> {
         if self.known.knows_stretches(feature) {
             return Ok(());
         }
@@ -134,7 +134,7 @@ impl<'a> Search<'a> {
     }
 
     /// Meets a barrier and offers its features to every stance.
-    fn meet(&mut self, owner: usize, budget: &Budget) -> Result<(), Interrupt> {
+    pub(super) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<(), Interrupt> {
         let met = self.known.meet(owner, budget)?;
         let is_small = met.features.len() <= SMALL_BARRIER && !met.has_same_circles;
         for stance in 0..self.tree.stances.len() as u32 {

@@ -127,7 +127,7 @@ impl Tree<'_> {
 }
 
 /// What a path costs where it leaves along `leg`.
-fn cost_at(from: &From, left_at: f64, leg: &Leg) -> f64 {
+pub(super) fn cost_at(from: &From, left_at: f64, leg: &Leg) -> f64 {
     match from {
         From::Start(_) => 0.0,
         From::Feature(departure) => departure.cost_at(left_at, from.spoke_along(leg)),

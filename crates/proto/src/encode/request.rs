@@ -27,7 +27,7 @@ pub fn check_request(request: v1::PlanRapidMoveRequest, path: &Path) -> v1::Chec
     v1::CheckRapidMoveRequest { request: Some(request), path: Some(path::path(path)), tolerance_mm: None }
 }
 
-fn rules(rules: &RapidRules) -> v1::RapidRules {
+pub(super) fn rules(rules: &RapidRules) -> v1::RapidRules {
     v1::RapidRules {
         heights: rules.heights.map(|rule| v1::HeightRule {
             start_z_mm: rule.start_z_mm,
@@ -38,6 +38,7 @@ fn rules(rules: &RapidRules) -> v1::RapidRules {
         clearances_mm: rules.clearances_mm.clone(),
         leave: end_rule(rules.leave),
         enter: end_rule(rules.enter),
+        alternative_count: i32::try_from(rules.alternative_count).unwrap_or(i32::MAX),
         ..Default::default()
     }
 }
@@ -53,7 +54,7 @@ fn end_rule(rule: EndRule) -> Option<v1::EndRule> {
     Some(v1::EndRule { rule: Some(rule) })
 }
 
-fn scene(scene: &Scene) -> v1::Scene {
+pub(super) fn scene(scene: &Scene) -> v1::Scene {
     let (corner_style, miter_limit) = match scene.corner_style {
         CornerStyle::Round => (v1::CornerStyle::Round, None),
         CornerStyle::Miter { limit } => (v1::CornerStyle::Miter, limit),
@@ -77,7 +78,7 @@ fn obstacle(obstacle: &Obstacle) -> v1::Obstacle {
     }
 }
 
-fn polygon(polygon: &Polygon) -> v1::Polygon {
+pub(super) fn polygon(polygon: &Polygon) -> v1::Polygon {
     v1::Polygon { outer: Some(ring(polygon.outer())), holes: polygon.holes().iter().map(ring).collect() }
 }
 
