@@ -23,6 +23,7 @@ mod program_table;
 mod rapid;
 mod serve;
 mod solve;
+mod tool_change;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         match arguments.command {
             Command::Serve(serve) => serve::run(serve).await,
             Command::Rapid(rapid) => rapid::run(*rapid).await,
+            Command::ToolChange(change) => tool_change::run(*change).await,
             Command::Inspect(inspect) => inspect::run(&inspect),
             Command::Solve(solve) => solve::run(&solve),
             Command::Check(check) => check::run(check).await,

@@ -35,7 +35,8 @@ pub(crate) async fn check(
     call(caller, "CheckRapidMove", request).await.map(|(answer, _)| answer)
 }
 
-async fn call<A: Message + Default>(
+/// Any call; answers the message and its JSON text.
+pub(crate) async fn call<A: Message + Default>(
     caller: &Caller,
     method: &str,
     request: &impl Message,

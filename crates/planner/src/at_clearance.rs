@@ -3,13 +3,13 @@
 use crate::barriers::Barriers;
 use crate::level::{Levels, best_level, passed_over};
 use crate::rapid_move::least_cost;
-use crate::search::{End, Route};
+use crate::search::{End, Route, locally_shortest};
 use crate::separating::separating;
 use crate::shortest_route::ShortestRoute;
 use crate::standing::{depths, stand};
-use crate::trace::trace;
+use crate::trace::{is_same_way, trace};
 use crate::way_out::way_out;
-use crate::{RapidMove, RapidPlan, Refusal, Stats};
+use crate::{Algorithm, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
 use traverse_geometry::{EndRule, HeightRule, Path, Point, Scene};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
@@ -107,7 +107,10 @@ impl<'a> AtClearance<'a> {
                 if names_what_parts { self.parting(highest, start, target, stats)? } else { Vec::new() };
             return Ok(Outcome::Parted(parting));
         };
-        let plan = self.plan(self.whole(level, &path), bending);
+        let mut plan = self.plan(self.whole(level, &path), bending);
+        if self.query.rules.alternative_count > 0 && self.query.algorithm == Algorithm::Exact {
+            plan.alternatives = self.alternatives(level, &path, stats);
+        }
         // Rounding must not set the proven cost and the bounds that were told apart.
         let proven = plan.cost.max(self.lower_bound);
         if proven > self.lower_bound {
@@ -115,6 +118,28 @@ impl<'a> AtClearance<'a> {
         }
         observer.better_cost(proven);
         Ok(Outcome::Plan(plan))
+    }
+
+    /// Other locally shortest ways than `along`, at its level. The budget's end leaves those that were found.
+    fn alternatives(&self, level: usize, along: &Path, stats: &mut Stats) -> Vec<Path> {
+        let count = self.query.rules.alternative_count;
+        let left_out = self.levels.passed_over(self.barriers, level);
+        let (start, target) = (along.start, along.end());
+        if start == target {
+            return Vec::new();
+        }
+        let Ok([from, to]) = self.stands(&left_out, start, target) else { return Vec::new() };
+        // One among them is the plan.
+        let routes =
+            locally_shortest(self.barriers, &left_out, [&from, &to], count + 1, stats, self.budget);
+        let mut ways = vec![along.clone()];
+        for route in routes {
+            let way = trace(&route, start, target);
+            if !ways.iter().any(|known| is_same_way(known, &way)) {
+                ways.push(way);
+            }
+        }
+        ways.into_iter().skip(1).take(count).map(|way| self.whole(level, &way)).collect()
     }
 
     /// Whether there is a path at all: what is clear at any level is clear at the highest.

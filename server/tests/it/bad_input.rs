@@ -15,7 +15,7 @@ pub(crate) fn reason(status: &Status) -> String {
 }
 
 /// Field and reason of every finding.
-fn findings(status: &Status) -> Vec<(String, String)> {
+pub(crate) fn findings(status: &Status) -> Vec<(String, String)> {
     let violations =
         status.get_details_bad_request().map(|request| request.field_violations).unwrap_or_default();
     violations.into_iter().map(|violation| (violation.field, violation.reason)).collect()

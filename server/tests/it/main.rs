@@ -15,4 +15,5 @@ mod log;
 mod request;
 mod rules;
 mod running;
+mod tool_change;
 mod web;

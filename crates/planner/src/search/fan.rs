@@ -65,7 +65,7 @@ pub(crate) struct Turn {
 
 /// A fan under way.
 pub(crate) struct Fan<'a> {
-    search: Search<'a>,
+    pub(super) search: Search<'a>,
     aim: Aim,
     labels: Vec<Label>,
     /// Open labels by what a path through them costs at least.

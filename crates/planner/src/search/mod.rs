@@ -5,6 +5,7 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod alternatives;
 mod circles;
 mod departure;
 mod end;
@@ -22,6 +23,7 @@ mod successors;
 mod tangent;
 mod tree;
 
+pub(crate) use alternatives::locally_shortest;
 pub(crate) use circles::Circles;
 pub(crate) use end::End;
 #[cfg(test)]

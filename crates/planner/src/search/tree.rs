@@ -103,6 +103,15 @@ impl<'a> Tree<'a> {
     /// Looks into a label that is free: from now on its lane is settled. None at the target, or where its arc is
     /// blocked.
     pub(super) fn stand(&mut self, ground: &impl Ground, label: &Label) -> Option<u32> {
+        let stance = self.stand_unsettled(ground, label)?;
+        if let From::Feature(departure) = &self.stances[stance as usize].from {
+            self.settled.add(departure.lane, label.offset, label.cost);
+        }
+        Some(stance)
+    }
+
+    /// The same, without a word to other labels of the lane.
+    pub(super) fn stand_unsettled(&mut self, ground: &impl Ground, label: &Label) -> Option<u32> {
         let (from, ahead) = match label.place {
             Place::Target(_) => return None,
             Place::Start(place) => {
@@ -111,7 +120,6 @@ impl<'a> Tree<'a> {
             }
             Place::Feature(_, side) => {
                 let departure = self.departure(ground, label)?;
-                self.settled.add(departure.lane, label.offset, label.cost);
                 (From::Feature(departure), (side, Sector::ahead(&departure)))
             }
         };
