@@ -30,6 +30,9 @@ use traverse_solve::{Budget, Interrupt};
 /// A path that bends by less than this goes straight on, radians: then the bend is no part of it.
 const STRAIGHT_RAD: f64 = 1e-9;
 
+/// Turns that differ by less than about this are the same, radians.
+const SAME_TURN_RAD: f64 = 1e-6;
+
 /// Pieces of one path nearer than this touch, millimetres.
 const TOUCH_MM: f64 = 1e-9;
 
@@ -70,8 +73,10 @@ pub(crate) fn locally_shortest(
 struct Trace {
     /// Which circles the path bends round, in order, as one number.
     bends: u64,
-    /// The same and the feature that it is at: two labels of the same key are one.
+    /// The same, with the feature that it is at and how far it has turned there: two labels of the same key are one.
     key: u64,
+    /// How far it has turned on the last circle on the way to the feature, radians.
+    turned: f64,
     /// The last circle among them.
     last: Option<(Point, f64, Side)>,
     /// What was passed since the stance before: an arc, a straight move.
@@ -106,8 +111,12 @@ impl Ways<'_> {
     ) -> Result<(), Interrupt> {
         self.list_owners(left_out, budget)?;
         while self.found.len() < count {
-            let Some((estimate, label)) = self.pop() else { return Ok(()) };
             budget.check(stats.expanded_nodes)?;
+            let Some((estimate, label)) = self.pop() else {
+                let Some(&(least, _)) = self.to_meet.last() else { return Ok(()) };
+                self.meet_due(least, budget)?;
+                continue;
+            };
             if self.forth.tree.label_count() > LABEL_LIMIT {
                 return Err(Interrupt::Memory);
             }
@@ -272,7 +281,7 @@ impl Ways<'_> {
     fn trace(&self, label: &Label) -> Trace {
         let mut bends = 0;
         let mut key = u32::MAX;
-        let mut last = None;
+        let (mut last, mut turned) = (None, 0.0);
         let mut pieces = [None, None];
         if label.step != Step::Begin {
             let before = &self.traces[label.parent as usize];
@@ -286,10 +295,11 @@ impl Ways<'_> {
                 let spoke = leg
                     .as_ref()
                     .map_or_else(|| circle.direction_at(label.left_at), |leg| parent.from.spoke_along(leg));
-                let turned = departure.turned(label.left_at, spoke);
+                let here = departure.turned(label.left_at, spoke);
+                turned = before.turned + here;
                 let arrival = departure.spoke.y.atan2(departure.spoke.x);
-                if turned * circle.price_radius > CONTACT_TOLERANCE_MM {
-                    let sweep = turned * departure.lane.side.sign();
+                if here * circle.price_radius > CONTACT_TOLERANCE_MM {
+                    let sweep = here * departure.lane.side.sign();
                     pieces[0] =
                         Some(Edge::Arc(Arc::from_angles(circle.center, circle.price_radius, arrival, sweep)));
                 }
@@ -317,6 +327,7 @@ impl Ways<'_> {
                 });
                 // One bend may lead over several features.
                 if !(same && label.step == Step::Over) {
+                    turned = 0.0;
                     let mut more = FxHasher::default();
                     bends.hash(&mut more);
                     place_of(circle.center).hash(&mut more);
@@ -327,11 +338,11 @@ impl Ways<'_> {
                 last = Some((circle.center, circle.plan_radius, side));
                 key = feature;
             }
-            Place::Start(_) | Place::Target(_) => {}
+            Place::Start(_) | Place::Target(_) => turned = 0.0,
         }
         let mut hasher = FxHasher::default();
-        (bends, key).hash(&mut hasher);
-        Trace { bends, key: hasher.finish(), last, pieces }
+        (bends, key, (turned / SAME_TURN_RAD).round() as i64).hash(&mut hasher);
+        Trace { bends, key: hasher.finish(), turned, last, pieces }
     }
 
     /// Whether the last pieces of the label's path meet earlier ones.
