@@ -72,7 +72,13 @@ pub(crate) fn rules(arguments: &Rapid, clearance_mm: f64) -> RapidRules {
     if clearances_mm.len() < 2 {
         clearances_mm.clear();
     }
-    RapidRules { heights, clearances_mm, leave: arguments.leave, enter: arguments.enter, alternative_count: arguments.alternatives }
+    RapidRules {
+        heights,
+        clearances_mm,
+        leave: arguments.leave,
+        enter: arguments.enter,
+        alternative_count: arguments.alternatives,
+    }
 }
 
 /// What a file of the command line is to hold, by the ending of its name.

@@ -26,7 +26,8 @@ pub(crate) async fn run(arguments: Arguments) -> Result<(), Failure> {
     let (Some(start), Some(target)) = (rapid.from, rapid.to) else {
         return Err(Failure::Input("a tool change needs --from X,Y and --to X,Y".to_owned()));
     };
-    if rapid.program.is_some() || matches!(rapid.algorithm, Method::SupportingLines) || rapid.alternatives > 0 {
+    if rapid.program.is_some() || matches!(rapid.algorithm, Method::SupportingLines) || rapid.alternatives > 0
+    {
         return Err(Failure::Input(
             "--program, --algorithm supporting-lines and --alternatives are for `traverse rapid`; leave them out".to_owned(),
         ));

@@ -69,7 +69,9 @@ impl RapidRules {
         findings.extend(self.enter.finding("enter"));
         if self.alternative_count > ALTERNATIVE_LIMIT {
             let count = self.alternative_count;
-            let message = format!("{count} alternatives asked for, at most {ALTERNATIVE_LIMIT} permitted; ask for fewer");
+            let message = format!(
+                "{count} alternatives asked for, at most {ALTERNATIVE_LIMIT} permitted; ask for fewer"
+            );
             findings.push(Finding::new("alternative_count", Reason::TooMany, count, message));
         }
         findings

@@ -130,8 +130,7 @@ impl<'a> AtClearance<'a> {
         }
         let Ok([from, to]) = self.stands(&left_out, start, target) else { return Vec::new() };
         // One among them is the plan.
-        let routes =
-            locally_shortest(self.barriers, &left_out, [&from, &to], count + 1, stats, self.budget);
+        let routes = locally_shortest(self.barriers, &left_out, [&from, &to], count + 1, stats, self.budget);
         let mut ways = vec![along.clone()];
         for route in routes {
             let way = trace(&route, start, target);
@@ -171,8 +170,9 @@ impl<'a> AtClearance<'a> {
         let heights = rules.heights;
         let start_z = heights.map_or(0.0, |rule| rule.start_z_mm);
         let target_z = heights.map_or(0.0, |rule| rule.target_z_mm);
-        let out =
-            |field, point, z_mm, rule| clear_end(self.barriers, heights, (field, point, z_mm), rule, self.budget);
+        let out = |field, point, z_mm, rule| {
+            clear_end(self.barriers, heights, (field, point, z_mm), rule, self.budget)
+        };
         let start = out("start", *start, start_z, &rules.leave)?;
         let target = out("target", *target, target_z, &rules.enter)?;
         Ok(match (start, target) {

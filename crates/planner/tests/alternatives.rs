@@ -41,7 +41,8 @@ fn a_block_has_one_other_way_and_two_have_three() {
         for style in [scene, |shapes, clearance| mitred(scene(shapes, clearance))] {
             let one = style(vec![rectangle(0.0, -5.0, 10.0, 6.0)], clearance);
             assert_eq!(lengths(&one, 16, start, target).len(), 1);
-            let two = style(vec![rectangle(0.0, -5.0, 10.0, 6.0), rectangle(18.0, -8.0, 26.0, 5.0)], clearance);
+            let two =
+                style(vec![rectangle(0.0, -5.0, 10.0, 6.0), rectangle(18.0, -8.0, 26.0, 5.0)], clearance);
             assert_eq!(lengths(&two, 16, start, target).len(), 3);
             assert_eq!(lengths(&two, 2, start, target).len(), 2);
             assert!(lengths(&two, 0, start, target).is_empty());
@@ -93,7 +94,8 @@ fn a_row_of_aligned_blocks_has_no_way_twice() {
     let row = (0..6).map(|i| rectangle(20.0 * f64::from(i), 0.0, 20.0 * f64::from(i) + 10.0, 10.0));
     for clearance in [0.0, 1.0] {
         let row = scene(row.clone(), clearance);
-        let plan = planned(&row, &rules(16), point(-5.0, 10.0 + clearance), point(115.0, 10.0 + clearance)).unwrap();
+        let plan =
+            planned(&row, &rules(16), point(-5.0, 10.0 + clearance), point(115.0, 10.0 + clearance)).unwrap();
         let mut all: Vec<f64> = plan.alternatives.iter().map(Path::length).collect();
         all.insert(0, plan.cost);
         assert_eq!(all.len(), 17);
@@ -107,8 +109,7 @@ fn a_row_of_aligned_blocks_has_no_way_twice() {
 fn heights_keep_their_level() {
     let mut walls = scene([rectangle(0.0, -50.0, 4.0, 50.0), rectangle(10.0, -10.0, 20.0, 12.0)], 1.0);
     walls.obstacles[0].top_z_mm = Some(3.0);
-    let heights =
-        HeightRule { start_z_mm: 0.0, target_z_mm: 0.0, highest_z_mm: 9.0, clearance_z_mm: 1.0 };
+    let heights = HeightRule { start_z_mm: 0.0, target_z_mm: 0.0, highest_z_mm: 9.0, clearance_z_mm: 1.0 };
     let rules = RapidRules { heights: Some(heights), ..rules(5) };
     let plan = planned(&walls, &rules, point(-5.0, 0.0), point(30.0, 0.0)).unwrap();
     let level = |path: &Path| path.steps.iter().filter_map(|step| step.z_mm).fold(0.0, f64::max);
@@ -201,7 +202,8 @@ impl Taut<'_> {
         let options = (0..self.circles.len()).flat_map(|i| [(Some(i), 1.0), (Some(i), -1.0)]);
         for (next, side) in options.chain([(None, 1.0)]) {
             let (center, radius) = next.map_or((self.target, 0.0), |i| self.circles[i]);
-            let (from_center, from_radius) = on.map_or((at, 0.0), |(i, side)| (self.circles[i].0, self.circles[i].1 * side));
+            let (from_center, from_radius) =
+                on.map_or((at, 0.0), |(i, side)| (self.circles[i].0, self.circles[i].1 * side));
             let axis = center - from_center;
             let across = radius * side - from_radius;
             if next.is_some() && next == on.map(|on| on.0) || axis.norm() <= across.abs() {
@@ -225,7 +227,9 @@ impl Taut<'_> {
                 more += radius * turn;
                 let count = 1 + (turn * 60.0) as usize;
                 passed.extend((1..=count).map(|k| {
-                    center + traverse_geometry::unit(angle_of(at) + turn * side * k as f64 / count as f64) * radius
+                    center
+                        + traverse_geometry::unit(angle_of(at) + turn * side * k as f64 / count as f64)
+                            * radius
                 }));
             }
             passed.push(arrives);
@@ -250,7 +254,8 @@ fn crosses_itself(line: &[Point], new: usize) -> bool {
         let side = |p: Point, q: Point, r: Point| traverse_geometry::cross(q - p, r - p);
         side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
     };
-    (new..line.len()).any(|i| (1..i.saturating_sub(1)).any(|j| crossing(line[i - 1], line[i], line[j - 1], line[j])))
+    (new..line.len())
+        .any(|i| (1..i.saturating_sub(1)).any(|j| crossing(line[i - 1], line[i], line[j - 1], line[j])))
 }
 
 #[test]
@@ -284,7 +289,11 @@ fn all_taut_paths_among_discs_are_found_in_order() {
         expected.truncate(found.len().max(6));
         let is_more = expected.len() > found.len();
         assert!(!is_more, "seed {seed}: {expected:?} but {found:?}\n{scene:?} {start} {target}");
-        assert_eq!(expected.len(), found.len(), "seed {seed}: {expected:?} {found:?}\n{scene:?} {start} {target}");
+        assert_eq!(
+            expected.len(),
+            found.len(),
+            "seed {seed}: {expected:?} {found:?}\n{scene:?} {start} {target}"
+        );
         for (a, b) in expected.iter().zip(&found) {
             assert!((a - b).abs() < 1e-6, "seed {seed}: {expected:?} {found:?}");
         }

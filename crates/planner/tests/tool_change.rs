@@ -11,7 +11,8 @@ use traverse_geometry::{
     CONTACT_TOLERANCE_MM, EndRule, HeightRule, Location, Point, Polygon, RapidRules, Ring, Scene,
 };
 use traverse_planner::{
-    Answer, FeasibleClearance, NoPath, Refusal, ToolChange, ToolChangeAnswer, ToolChangePlan, plan_tool_change,
+    Answer, FeasibleClearance, NoPath, Refusal, ToolChange, ToolChangeAnswer, ToolChangePlan,
+    plan_tool_change,
 };
 use traverse_solve::{Budget, Interrupt, Seed, Silent};
 
@@ -84,7 +85,11 @@ fn points_meet_in_the_mirror_point() {
 fn ends_in_a_region_are_no_detour() {
     let empty = scene([], 1.0);
     let region = disc(0.0, 0.0, 5.0);
-    for (start, target) in [(point(1.0, 1.0), point(20.0, 3.0)), (point(20.0, 3.0), point(1.0, 1.0)), (point(1.0, 0.0), point(2.0, 0.0))] {
+    for (start, target) in [
+        (point(1.0, 1.0), point(20.0, 3.0)),
+        (point(20.0, 3.0), point(1.0, 1.0)),
+        (point(1.0, 0.0), point(2.0, 0.0)),
+    ] {
         let plan = placed_plan(&empty, &change(start, target, vec![region.clone()]));
         assert_close(plan.cost, (target - start).norm(), "no detour");
     }
@@ -100,7 +105,8 @@ fn discs_are_met_where_the_angles_are_equal() {
     let plan = placed_plan(&empty, &question);
     assert_close(plan.cost, 2.0 * 3.0_f64.hypot(15.0), "top of the disc");
     // From the centre of a ring every place of the inner border costs the same.
-    let ring = Polygon::new(disc(0.0, 0.0, 9.0).outer().clone(), vec![disc(0.0, 0.0, 7.0).outer().clone()]).unwrap();
+    let ring =
+        Polygon::new(disc(0.0, 0.0, 9.0).outer().clone(), vec![disc(0.0, 0.0, 7.0).outer().clone()]).unwrap();
     let plan = placed_plan(&empty, &change(point(0.0, 0.0), point(0.0, 0.0), vec![ring]));
     assert_close(plan.cost, 14.0, "ring");
 }
@@ -135,7 +141,8 @@ fn sampled(scene: &Scene, question: &ToolChange, per_side: usize) -> Option<f64>
         }
     }
     let permitted = |p: &Point| {
-        question.points.contains(p) || question.regions.iter().any(|region| region.locate(*p) != Location::Outside)
+        question.points.contains(p)
+            || question.regions.iter().any(|region| region.locate(*p) != Location::Outside)
     };
     let [to, on] = [question.approach_rules(), question.departure_rules()];
     for place in places.into_iter().filter(permitted) {
@@ -155,7 +162,10 @@ fn sampled(scene: &Scene, question: &ToolChange, per_side: usize) -> Option<f64>
 fn compare(scene: &Scene, question: &ToolChange, near: f64, what: &str) -> bool {
     let found = match placed(scene, question) {
         Err(refusals) => {
-            assert!(refusals.iter().all(|r| matches!(r, Refusal::EndInsideBarrier { .. })), "{what}: {refusals:?}");
+            assert!(
+                refusals.iter().all(|r| matches!(r, Refusal::EndInsideBarrier { .. })),
+                "{what}: {refusals:?}"
+            );
             return false;
         }
         Ok(found) => found,
@@ -163,11 +173,17 @@ fn compare(scene: &Scene, question: &ToolChange, near: f64, what: &str) -> bool 
     let best = sampled(scene, question, 10);
     match (found, best) {
         (ToolChangeAnswer::Plan(plan), Some(best)) => {
-            assert!(best >= plan.cost * (1.0 - 1e-9), "{what}: {best} is below {}\n{question:?}\n{scene:?}", plan.cost);
+            assert!(
+                best >= plan.cost * (1.0 - 1e-9),
+                "{what}: {best} is below {}\n{question:?}\n{scene:?}",
+                plan.cost
+            );
             assert!(best <= plan.cost + near, "{what}: {best} is far above {}", plan.cost);
             true
         }
-        (ToolChangeAnswer::NoPath(_), Some(best)) => panic!("{what}: there is a place for {best}\n{question:?}"),
+        (ToolChangeAnswer::NoPath(_), Some(best)) => {
+            panic!("{what}: there is a place for {best}\n{question:?}")
+        }
         (ToolChangeAnswer::Plan(_) | ToolChangeAnswer::NoPath(_), None) => false,
     }
 }
@@ -217,7 +233,13 @@ fn nothing_sampled_is_cheaper_among_discs() {
     for seed in 0..60 {
         let mut random = Seed(1000 + seed).stream();
         let shapes: Vec<Polygon> = (0..8)
-            .map(|_| disc(random.random_range(0.0..60.0), random.random_range(0.0..60.0), random.random_range(1.0..8.0)))
+            .map(|_| {
+                disc(
+                    random.random_range(0.0..60.0),
+                    random.random_range(0.0..60.0),
+                    random.random_range(1.0..8.0),
+                )
+            })
             .collect();
         let scene = scene(shapes, random.random_range(0.5..3.0));
         let mut at = || point(random.random_range(-10.0..70.0), random.random_range(-10.0..70.0));
@@ -232,7 +254,9 @@ fn nothing_sampled_is_cheaper_among_discs() {
 #[test]
 fn the_best_place_is_known_to_a_billionth() {
     let blocks = scene([disc(0.0, 0.0, 6.0), rectangle(14.0, -6.0, 20.0, 9.0)], 2.0);
-    for (i, region) in [rectangle(-4.0, 16.0, 40.0, 18.0), disc(10.0, 30.0, 9.0), disc(9.0, -19.0, 7.0)].iter().enumerate() {
+    for (i, region) in
+        [rectangle(-4.0, 16.0, 40.0, 18.0), disc(10.0, 30.0, 9.0), disc(9.0, -19.0, 7.0)].iter().enumerate()
+    {
         let (start, target) = (point(-12.0, -3.0 + i as f64), point(26.0, 1.0));
         let found = placed_plan(&blocks, &change(start, target, vec![region.clone()]));
         let cost = |p: Point| plan(&blocks, start, p).cost + plan(&blocks, p, target).cost;
@@ -285,7 +309,10 @@ fn no_place_is_said_with_what_is_in_the_way() {
     );
     let walled = scene([wall.unwrap(), rectangle(-10.0, -10.0, 10.0, 10.0)], 1.0);
     let parted = no_place(&walled, &change(start, target, vec![rectangle(15.0, 65.0, 25.0, 75.0)]));
-    assert_eq!((parted.separating_obstacles, parted.feasible_clearance), (vec!["o0".to_owned()], FeasibleClearance::None));
+    assert_eq!(
+        (parted.separating_obstacles, parted.feasible_clearance),
+        (vec!["o0".to_owned()], FeasibleClearance::None)
+    );
     // Outside of the work area.
     let mut bounded = scene([], 1.0);
     bounded.work_area = Some(rectangle(-50.0, -50.0, 50.0, 50.0));
@@ -324,7 +351,8 @@ fn the_largest_clearance_with_a_place_counts() {
 }
 
 fn with_heights(start: f64, target: f64, highest: f64) -> RapidRules {
-    let rule = HeightRule { start_z_mm: start, target_z_mm: target, highest_z_mm: highest, clearance_z_mm: 1.0 };
+    let rule =
+        HeightRule { start_z_mm: start, target_z_mm: target, highest_z_mm: highest, clearance_z_mm: 1.0 };
     RapidRules { heights: Some(rule), ..RapidRules::default() }
 }
 
@@ -342,7 +370,9 @@ fn heights_are_chosen_for_both_moves() {
     question.place_z_mm = Some(1.0);
     let low = placed_plan(&walls, &question);
     assert_close(low.cost, 4.0 + 3.0 + 8.0 + 9.0 + flat(&question), "each move at its own level");
-    let level = |path: &traverse_geometry::Path| path.steps.iter().filter_map(|step| step.z_mm).max_by(f64::total_cmp);
+    let level = |path: &traverse_geometry::Path| {
+        path.steps.iter().filter_map(|step| step.z_mm).max_by(f64::total_cmp)
+    };
     assert_eq!((level(&low.approach.path), level(&low.departure.path)), (Some(4.0), Some(9.0)));
     assert_eq!((low.approach.path.end_z_mm(), low.departure.path.end_z_mm()), (Some(1.0), Some(0.0)));
 }

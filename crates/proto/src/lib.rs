@@ -58,7 +58,8 @@ pub use decode::{
     CheckQuestion, PlanQuestion, ToolChangeQuestion, path_from_wire, requested_time_limit, rules_time_limit,
 };
 pub use encode::{
-    check_answer, check_request, plan_answer, plan_request, sound_answer, tool_change_answer, tool_change_request,
+    check_answer, check_request, plan_answer, plan_request, sound_answer, tool_change_answer,
+    tool_change_request,
 };
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;

@@ -31,9 +31,12 @@ async fn the_best_place_comes_with_both_moves() {
     assert_eq!((plan.cost, plan.cost_unit()), (plan.lower_bound, v1::CostUnit::Mm));
     let [approach, departure] = [plan.approach, plan.departure].map(|plan| plan.expect("there"));
     assert!((approach.cost + departure.cost - plan.cost).abs() < 1e-9);
-    for (start, target, found) in [(point(-5.0, 2.0), Some(place), approach), (Some(place), point(15.0, 2.0), departure)] {
+    for (start, target, found) in
+        [(point(-5.0, 2.0), Some(place), approach), (Some(place), point(15.0, 2.0), departure)]
+    {
         let request = v1::PlanRapidMoveRequest { start, target, ..past_a_block() };
-        let check = v1::CheckRapidMoveRequest { request: Some(request), path: found.path, tolerance_mm: None };
+        let check =
+            v1::CheckRapidMoveRequest { request: Some(request), path: found.path, tolerance_mm: None };
         let checked = server.client().await.check_rapid_move(check).await.expect("sound").into_inner();
         assert_eq!(checked.violations, []);
     }
@@ -44,12 +47,18 @@ async fn points_heights_and_no_place() {
     let server = Running::start().await;
     let points = vec![v1::Point { x_mm: 5.0, y_mm: 5.0 }, v1::Point { x_mm: 30.0, y_mm: 2.0 }];
     let only_points = v1::PlaceToolChangeRequest { regions: vec![], points, ..above_a_block() };
-    let Some(Outcome::Plan(plan)) = placed(&server, only_points.clone()).await.outcome else { panic!("a place") };
+    let Some(Outcome::Plan(plan)) = placed(&server, only_points.clone()).await.outcome else {
+        panic!("a place")
+    };
     assert_eq!(plan.place, point(30.0, 2.0));
     let inside = v1::PlaceToolChangeRequest { points: only_points.points[..1].to_vec(), ..only_points };
     let Some(Outcome::NoPath(no_path)) = placed(&server, inside).await.outcome else { panic!("no place") };
-    assert_eq!((no_path.separating_obstacle_ids, no_path.feasible_clearance_mm), (vec!["block".to_owned()], None));
-    let heights = v1::HeightRule { start_z_mm: 0.0, target_z_mm: 0.0, highest_z_mm: 9.0, clearance_z_mm: 0.0 };
+    assert_eq!(
+        (no_path.separating_obstacle_ids, no_path.feasible_clearance_mm),
+        (vec!["block".to_owned()], None)
+    );
+    let heights =
+        v1::HeightRule { start_z_mm: 0.0, target_z_mm: 0.0, highest_z_mm: 9.0, clearance_z_mm: 0.0 };
     let rules = v1::RapidRules { heights: Some(heights), ..Default::default() };
     let high = v1::PlaceToolChangeRequest { rules: Some(rules), place_z_mm: Some(4.0), ..above_a_block() };
     let Some(Outcome::Plan(plan)) = placed(&server, high).await.outcome else { panic!("a place") };
@@ -78,7 +87,14 @@ async fn a_request_is_validated_and_every_finding_comes_at_once() {
     let status = server.client().await.place_tool_change(wrong).await.expect_err("findings");
     let fields = crate::bad_input::findings(&status);
     let fields: Vec<&str> = fields.iter().map(|(field, _)| field.as_str()).collect();
-    let expected = ["start", "rules.algorithm", "rules.alternative_count", "regions[0].outer", "points[0].x_mm", "place_z_mm"];
+    let expected = [
+        "start",
+        "rules.algorithm",
+        "rules.alternative_count",
+        "regions[0].outer",
+        "points[0].x_mm",
+        "place_z_mm",
+    ];
     assert_eq!(fields, expected);
     let nowhere = v1::PlaceToolChangeRequest { regions: vec![], ..above_a_block() };
     let status = server.client().await.place_tool_change(nowhere).await.expect_err("no place is given");
@@ -94,7 +110,10 @@ async fn alternatives_are_counted_and_bounded() {
     let with = |count| v1::PlanRapidMoveRequest {
         rules: Some(v1::RapidRules { alternative_count: count, ..Default::default() }),
         scene: past_a_block().scene.map(|scene| v1::Scene {
-            obstacles: vec![obstacle("block", square(0.0, 0.0, 10.0)), obstacle("pin", square(3.0, -20.0, 4.0))],
+            obstacles: vec![
+                obstacle("block", square(0.0, 0.0, 10.0)),
+                obstacle("pin", square(3.0, -20.0, 4.0)),
+            ],
             ..scene
         }),
         ..past_a_block()

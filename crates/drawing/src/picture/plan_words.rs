@@ -83,7 +83,11 @@ pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
         (parted, Sign::Field("obstacle parts"), String::from("parts start from target")),
         (!shown.paths().is_empty(), Sign::Line("rapid"), String::from("rapid move")),
         (!shown.before().is_empty(), Sign::Line("before"), others),
-        (!regions.is_empty() || !points.is_empty(), Sign::Field("region"), String::from("tool change permitted")),
+        (
+            !regions.is_empty() || !points.is_empty(),
+            Sign::Field("region"),
+            String::from("tool change permitted"),
+        ),
         (shown.place().is_some(), Sign::Place, String::from("tool change")),
         (parted, Sign::Line("wish"), String::from("wanted")),
         (!ends.is_empty(), Sign::Start, end_at("start", |ends| ends.0)),

@@ -57,7 +57,9 @@ impl<'a> Shown<'a> {
     pub(super) fn paths(&self) -> &'a [Path] {
         match *self {
             Self::Path(path) | Self::Choice { path, .. } => std::slice::from_ref(path),
-            Self::Paths(paths) | Self::Change { after: paths, .. } | Self::ToolChange { moves: paths, .. } => paths,
+            Self::Paths(paths)
+            | Self::Change { after: paths, .. }
+            | Self::ToolChange { moves: paths, .. } => paths,
             Self::Scene | Self::NoPath { .. } => &[],
         }
     }

@@ -16,25 +16,19 @@ use super::label::{Label, Place, Route, Step};
 use super::route::route;
 use super::shortest::{LABEL_LIMIT, Search};
 use super::stance::From;
+use super::trail::Trail;
 use super::{End, Known, Way};
 use crate::Stats;
 use crate::barrier::{Feature, Side};
 use crate::barriers::Barriers;
-use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
-use std::hash::{Hash, Hasher};
-use traverse_geometry::{Arc, Bounds, CONTACT_TOLERANCE_MM, Edge, Point, Segment};
+use traverse_geometry::{Bounds, Point};
 use traverse_solve::{Budget, Interrupt};
 
 /// A path that bends by less than this goes straight on, radians: then the bend is no part of it.
 const STRAIGHT_RAD: f64 = 1e-9;
-
-/// Turns that differ by less than about this are the same, radians.
-const SAME_TURN_RAD: f64 = 1e-6;
-
-/// Pieces of one path nearer than this touch, millimetres.
-const TOUCH_MM: f64 = 1e-9;
 
 /// Estimates that rise by less than this when they are looked at again are what they were, millimetres.
 const ESTIMATE_TOLERANCE_MM: f64 = 1e-9;
@@ -59,7 +53,7 @@ pub(crate) fn locally_shortest(
         to_meet: Vec::new(),
         labels: Vec::new(),
         open: BinaryHeap::new(),
-        traces: Vec::new(),
+        trails: Vec::new(),
         known: FxHashSet::default(),
         found: Vec::new(),
     };
@@ -67,20 +61,6 @@ pub(crate) fn locally_shortest(
     let _ = ways.run(left_out, count, stats, budget);
     stats.barrier_vertices = stats.barrier_vertices.max(ways.forth.known.features.len() as u64);
     ways.found
-}
-
-/// How a label is reached.
-struct Trace {
-    /// Which circles the path bends round, in order, as one number.
-    bends: u64,
-    /// The same, with the feature that it is at and how far it has turned there: two labels of the same key are one.
-    key: u64,
-    /// How far it has turned on the last circle on the way to the feature, radians.
-    turned: f64,
-    /// The last circle among them.
-    last: Option<(Point, f64, Side)>,
-    /// What was passed since the stance before: an arc, a straight move.
-    pieces: [Option<Edge>; 2],
 }
 
 struct Ways<'a> {
@@ -95,7 +75,7 @@ struct Ways<'a> {
     labels: Vec<Label>,
     open: BinaryHeap<(Reverse<u64>, Reverse<u32>)>,
     /// Of every stance of the search.
-    traces: Vec<Trace>,
+    trails: Vec<Trail>,
     /// Bends of the paths that were looked into.
     known: FxHashSet<u64>,
     found: Vec<Route>,
@@ -135,9 +115,10 @@ impl Ways<'_> {
             if self.goes_straight(&label) || !self.is_free(&label, budget)? {
                 continue;
             }
-            let trace = self.trace(&label);
-            let is_known = label.step != Step::Begin && !self.known.insert(trace.key);
-            if is_known || self.touches_itself(&label, &trace) {
+            let (tree, ground) = (&self.forth.tree, &self.forth.known);
+            let trail = Trail::of(&label, tree, ground, &self.trails);
+            let is_known = label.step != Step::Begin && !self.known.insert(trail.key);
+            if is_known || trail.touches_itself(&label, tree, &self.trails) {
                 continue;
             }
             if let Place::Target(_) = label.place {
@@ -149,7 +130,7 @@ impl Ways<'_> {
             }
             let Some(stance) = self.forth.tree.stand_unsettled(&self.forth.known, &label) else { continue };
             stats.expanded_nodes += 1;
-            self.traces.push(trace);
+            self.trails.push(trail);
             self.forth.tree.reach_for_target(&self.forth.known, stance);
             self.forth.connect(stance, 0..self.forth.known.features.len(), budget)?;
         }
@@ -240,7 +221,12 @@ impl Ways<'_> {
                 let own = self.numbers[1].first_of(&self.back.search.known.features, owner);
                 let least = own.and_then(|own| {
                     let there = own + (feature - first);
-                    self.back.search.tree.settled.least(there, flipped(side), circle.price_radius, label.offset)
+                    self.back.search.tree.settled.least(
+                        there,
+                        flipped(side),
+                        circle.price_radius,
+                        label.offset,
+                    )
                 });
                 match (least, unknown) {
                     (Some(least), None) => Some(label.cost + least),
@@ -276,104 +262,6 @@ impl Ways<'_> {
             Way::Meets(owner) => self.meet(owner, budget).map(|_| false),
         }
     }
-
-    /// How the label is reached.
-    fn trace(&self, label: &Label) -> Trace {
-        let mut bends = 0;
-        let mut key = u32::MAX;
-        let (mut last, mut turned) = (None, 0.0);
-        let mut pieces = [None, None];
-        if label.step != Step::Begin {
-            let before = &self.traces[label.parent as usize];
-            bends = before.bends;
-            last = before.last;
-            let parent = &self.forth.tree.stances[label.parent as usize];
-            let leg = self.forth.tree.leg(&self.forth.known, label);
-            let mut from = self.forth.tree.start.point;
-            if let From::Feature(departure) = &parent.from {
-                let circle = &departure.circle;
-                let spoke = leg
-                    .as_ref()
-                    .map_or_else(|| circle.direction_at(label.left_at), |leg| parent.from.spoke_along(leg));
-                let here = departure.turned(label.left_at, spoke);
-                turned = before.turned + here;
-                let arrival = departure.spoke.y.atan2(departure.spoke.x);
-                if here * circle.price_radius > CONTACT_TOLERANCE_MM {
-                    let sweep = here * departure.lane.side.sign();
-                    pieces[0] =
-                        Some(Edge::Arc(Arc::from_angles(circle.center, circle.price_radius, arrival, sweep)));
-                }
-                from = circle.center + spoke * circle.price_radius;
-            }
-            if let Some(leg) = leg {
-                let to = match label.place {
-                    Place::Feature(feature, side) => {
-                        let circle = &self.forth.known.features[feature as usize];
-                        circle.center - leg.normal * (circle.price_radius * side.sign())
-                    }
-                    Place::Target(_) | Place::Start(_) => self.forth.tree.target.point,
-                };
-                let segment = Segment::new(from, to);
-                pieces[1] = (segment.length() > CONTACT_TOLERANCE_MM).then_some(Edge::Segment(segment));
-            }
-        }
-        match label.place {
-            Place::Feature(feature, side) => {
-                let circle = self.forth.known.features[feature as usize];
-                let same = last.is_some_and(|(center, radius, on): (Point, f64, Side)| {
-                    on == side
-                        && (radius - circle.plan_radius).abs() < CONTACT_TOLERANCE_MM
-                        && (center - circle.center).norm() < CONTACT_TOLERANCE_MM
-                });
-                // One bend may lead over several features.
-                if !(same && label.step == Step::Over) {
-                    turned = 0.0;
-                    let mut more = FxHasher::default();
-                    bends.hash(&mut more);
-                    place_of(circle.center).hash(&mut more);
-                    place_of(Point::new(circle.plan_radius, 0.0)).hash(&mut more);
-                    side.hash(&mut more);
-                    bends = more.finish();
-                }
-                last = Some((circle.center, circle.plan_radius, side));
-                key = feature;
-            }
-            Place::Start(_) | Place::Target(_) => turned = 0.0,
-        }
-        let mut hasher = FxHasher::default();
-        (bends, key, (turned / SAME_TURN_RAD).round() as i64).hash(&mut hasher);
-        Trace { bends, key: hasher.finish(), turned, last, pieces }
-    }
-
-    /// Whether the last pieces of the label's path meet earlier ones.
-    fn touches_itself(&self, label: &Label, trace: &Trace) -> bool {
-        if label.step == Step::Begin {
-            return false;
-        }
-        let [arc, leg] = &trace.pieces;
-        let meets = |piece: &Option<Edge>, other: &Edge| {
-            piece.as_ref().is_some_and(|piece| {
-                piece.bounds().grown(TOUCH_MM).meets(&other.bounds()) && piece.distance(other) < TOUCH_MM
-            })
-        };
-        let mut is_last = true;
-        let mut at = label.parent;
-        loop {
-            let stance = &self.forth.tree.stances[at as usize];
-            let before = &self.traces[at as usize];
-            for piece in before.pieces.iter().rev().flatten() {
-                // The piece just before touches the arc, and the leg where there is no arc.
-                let adjoins = std::mem::take(&mut is_last);
-                if meets(arc, piece) && !adjoins || meets(leg, piece) && !(adjoins && arc.is_none()) {
-                    return true;
-                }
-            }
-            if stance.label.step == Step::Begin {
-                return false;
-            }
-            at = stance.label.parent;
-        }
-    }
 }
 
 fn flipped(side: Side) -> Side {
@@ -381,11 +269,6 @@ fn flipped(side: Side) -> Side {
         Side::Left => Side::Right,
         Side::Right => Side::Left,
     }
-}
-
-/// A place as whole numbers of contact tolerances.
-fn place_of(p: Point) -> [i64; 2] {
-    [p.x, p.y].map(|value| (value / CONTACT_TOLERANCE_MM).round() as i64)
 }
 
 /// For every owner that was met the number of its first feature.

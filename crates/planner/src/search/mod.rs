@@ -21,6 +21,7 @@ mod shortest;
 mod stance;
 mod successors;
 mod tangent;
+mod trail;
 mod tree;
 
 pub(crate) use alternatives::locally_shortest;

@@ -87,7 +87,12 @@ impl<'a> Search<'a> {
     }
 
     /// Offers a stance some features, and what its own goes over into, as far as it is among them.
-    pub(super) fn connect(&mut self, stance: u32, features: Range<usize>, budget: &Budget) -> Result<(), Interrupt> {
+    pub(super) fn connect(
+        &mut self,
+        stance: u32,
+        features: Range<usize>,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
         self.tree.push_over(&self.known, stance, |other| features.contains(&(other as usize)));
         for part in features.start / FEATURES_BETWEEN_CHECKS..=features.end / FEATURES_BETWEEN_CHECKS {
             let first = part * FEATURES_BETWEEN_CHECKS;

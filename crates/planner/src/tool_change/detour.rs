@@ -196,10 +196,17 @@ mod tests {
     fn points_meet_in_the_mirror_point_or_cross_straight() {
         let edge = Edge::Segment(Segment::new(Point::new(-50.0, 0.0), Point::new(50.0, 0.0)));
         let (a, b) = (point_bend(0.0, 3.0), point_bend(8.0, 3.0));
-        let Part::Lowest(place, cost) = (Detour { before: &a, after: &b, edge: &edge }).part(0.0, 1.0) else { panic!() };
-        assert!((place - Point::new(4.0, 0.0)).norm() < 1e-7 && (cost - 10.0).abs() < 1e-12, "{place} {cost}");
+        let Part::Lowest(place, cost) = (Detour { before: &a, after: &b, edge: &edge }).part(0.0, 1.0) else {
+            panic!()
+        };
+        assert!(
+            (place - Point::new(4.0, 0.0)).norm() < 1e-7 && (cost - 10.0).abs() < 1e-12,
+            "{place} {cost}"
+        );
         let c = point_bend(8.0, -3.0);
-        let Part::Lowest(_, cost) = (Detour { before: &a, after: &c, edge: &edge }).part(0.0, 1.0) else { panic!() };
+        let Part::Lowest(_, cost) = (Detour { before: &a, after: &c, edge: &edge }).part(0.0, 1.0) else {
+            panic!()
+        };
         assert!((cost - 10.0).abs() < 1e-12);
     }
 

@@ -97,7 +97,8 @@ mod tests {
             let vertical = [steps(12, 3.0), steps(9, 3.0)];
             let falls = [steps(12, 4.0), steps(9, 4.0)];
             let first = if case % 3 == 0 { 4 } else { 0 };
-            let plane = |[a, b]: [usize; 2]| 150.0 - falls[0][a] - falls[1][b] - (falls[0][a] * falls[1][b]).sqrt();
+            let plane =
+                |[a, b]: [usize; 2]| 150.0 - falls[0][a] - falls[1][b] - (falls[0][a] * falls[1][b]).sqrt();
             let cost = |[a, b]: [usize; 2]| vertical[0][a] + vertical[1][b] + plane([a, b]);
             let pairs = (first..12).flat_map(|a| (0..9).map(move |b| [a, b]));
             let expected = pairs.map(cost).min_by(f64::total_cmp).unwrap();
@@ -107,7 +108,8 @@ mod tests {
                 Ok((pair[0] >= first).then(|| (plane(pair), ())))
             };
             let mut told = 0.0_f64;
-            let found = best_pair([&vertical[0], &vertical[1]], 1.0, solve, |bound| told = told.max(bound)).unwrap();
+            let found =
+                best_pair([&vertical[0], &vertical[1]], 1.0, solve, |bound| told = told.max(bound)).unwrap();
             assert_eq!(cost(found.unwrap().0), expected, "case {case}");
             assert!(told <= expected);
             most = most.max(solved);

@@ -101,7 +101,8 @@ impl Meeting<'_> {
         budget: &Budget,
         lower_bound: &mut f64,
     ) -> Result<Option<Met>, Interrupt> {
-        let beyond = self.ends.map(|end| End { point: end.point, places: Vec::new(), shut_in_by: Vec::new() });
+        let beyond =
+            self.ends.map(|end| End { point: end.point, places: Vec::new(), shut_in_by: Vec::new() });
         let boxes = boxes(self.permitted);
         let [start, target] = [0, 1].map(|side| Side {
             fan: Fan::new(
@@ -193,8 +194,8 @@ impl Search<'_> {
         next == f64::INFINITY
             && (0..2).any(|side| {
                 let none = self.sides[side].entries.iter().all(Vec::is_empty);
-                let no_spot = self.permitted.spots.is_empty()
-                    || side == 0 && self.reached.iter().all(Option::is_none);
+                let no_spot =
+                    self.permitted.spots.is_empty() || side == 0 && self.reached.iter().all(Option::is_none);
                 lowest[side] == f64::INFINITY && none && no_spot
             })
     }
@@ -223,10 +224,9 @@ impl Search<'_> {
                 self.look_into(part, entries, middle, to)?;
             }
             Open::Place { stances, at } => {
-                let [Some(before), Some(after)] = [
-                    self.way_to(0, stances[0], at, budget)?,
-                    self.way_to(1, stances[1], at, budget)?,
-                ] else {
+                let [Some(before), Some(after)] =
+                    [self.way_to(0, stances[0], at, budget)?, self.way_to(1, stances[1], at, budget)?]
+                else {
                     return Ok(None);
                 };
                 return Ok(Some(Met { place: at, cost: before + after, lower_bound: least }));

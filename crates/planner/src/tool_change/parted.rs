@@ -27,7 +27,9 @@ pub(super) fn parted(
     for side in 0..2 {
         let end = stand(barriers, &left_out[side], clear[side], budget)?;
         let distance = |p: &Point| (p - clear[side]).norm();
-        let Some(&nearest) = spots.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { continue };
+        let Some(&nearest) = spots.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
+            continue;
+        };
         let spot = stand(barriers, &left_out[side], nearest, budget)?;
         owners.extend(between(barriers, &left_out[side], [&end, &spot], budget, stats)?);
     }

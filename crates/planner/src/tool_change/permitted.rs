@@ -19,7 +19,8 @@ use crate::way_out::{barrier_border, crossings};
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use traverse_geometry::{
-    Arc, Bounds, CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, MITER_RATIO_LIMIT, Point, Polygon, Segment,
+    Arc, Bounds, CONTACT_TOLERANCE_MM, CornerStyle, Edge, Location, MITER_RATIO_LIMIT, Point, Polygon,
+    Segment,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -100,7 +101,8 @@ impl Places<'_> {
         let corners = self.regions.iter().flat_map(|region| region.outer().vertices());
         for &p in corners.chain(self.points) {
             budget.check(0)?;
-            let owners = self.barriers.owners_at(p).into_iter().filter(|owner| !self.left_out.contains(owner));
+            let owners =
+                self.barriers.owners_at(p).into_iter().filter(|owner| !self.left_out.contains(owner));
             covering.extend(owners.filter(|&owner| depth(self.barriers, owner, p).is_some()));
         }
         Ok(covering)
@@ -115,7 +117,8 @@ impl Places<'_> {
     /// The regions' edges near an edge.
     fn borders_across(&self, edge: &Edge) -> Vec<Edge> {
         let bounds = edge.bounds().grown(CONTACT_TOLERANCE_MM);
-        let edges = self.regions.iter().flat_map(|region| region.rings().flat_map(traverse_geometry::Ring::edges));
+        let edges =
+            self.regions.iter().flat_map(|region| region.rings().flat_map(traverse_geometry::Ring::edges));
         edges.filter(|other| other.bounds().meets(&bounds)).collect()
     }
 }

@@ -68,7 +68,8 @@ fn plan_in(
     observer: &mut dyn Observer,
 ) -> Result<ToolChangeAnswer, Vec<Refusal>> {
     let least = least_cost(question);
-    let interrupted = |lower_bound: f64| move |interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
+    let interrupted =
+        |lower_bound: f64| move |interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
     let barriers = Barriers::new(scene, budget).map_err(interrupted(least))?;
     let mut placing = match Placing::new(&barriers, question, budget).map_err(interrupted(least))? {
         Ok(placing) => placing,
@@ -112,8 +113,7 @@ fn has_place(
 /// No tool change costs less, whatever is in the way.
 fn least_cost(question: &ToolChange) -> f64 {
     let rise = question.rules.heights.zip(question.change_z_mm());
-    let vertical =
-        rise.map_or(0.0, |(rule, z)| (z - rule.start_z_mm).abs() + (z - rule.target_z_mm).abs());
+    let vertical = rise.map_or(0.0, |(rule, z)| (z - rule.start_z_mm).abs() + (z - rule.target_z_mm).abs());
     (question.target - question.start).norm() + vertical
 }
 
@@ -188,9 +188,10 @@ impl<'a> Placing<'a> {
         }
         let [start, target] = self.clear;
         let leads = (start - self.question.start).norm() + (target - self.question.target).norm();
-        let vertical = self.levels.each_ref().map(|levels| {
-            (0..levels.count()).map(|level| levels.vertical(level)).collect::<Vec<f64>>()
-        });
+        let vertical = self
+            .levels
+            .each_ref()
+            .map(|levels| (0..levels.count()).map(|level| levels.vertical(level)).collect::<Vec<f64>>());
         let straight = (target - start).norm();
         let mut bound = self.lower_bound;
         let tell = |found: f64| {
@@ -279,7 +280,10 @@ impl<'a> Placing<'a> {
         let approach = self.planned(&self.question.approach(place), bound, stats)?;
         let departure = self.planned(&self.question.departure(place), bound, stats)?;
         let cost = approach.cost + departure.cost;
-        debug_assert!((cost - found.met.cost - found.aside).abs() <= 1e-9 * cost.max(1.0), "{cost} {found:?}");
+        debug_assert!(
+            (cost - found.met.cost - found.aside).abs() <= 1e-9 * cost.max(1.0),
+            "{cost} {found:?}"
+        );
         // Rounding must not set what is proven and its bound apart.
         let is_proven = found.met.cost - found.met.lower_bound <= ROUNDING_RATIO * found.met.cost;
         let lower_bound = if is_proven { cost } else { bound.min(cost) };

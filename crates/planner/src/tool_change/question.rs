@@ -54,7 +54,8 @@ impl ToolChange {
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
         if self.regions.is_empty() && self.points.is_empty() {
-            let message = "neither regions nor points are given; send at least one place where the tool may be changed";
+            let message =
+                "neither regions nor points are given; send at least one place where the tool may be changed";
             findings.push(Finding::new("regions", Reason::MissingField, "", message));
         }
         let Some(z) = self.place_z_mm else { return findings };
@@ -72,7 +73,8 @@ impl ToolChange {
                 findings.push(Finding::new(field, Reason::OutOfRange, value, message));
             }
         } else {
-            let message = format!("{field} is {value} mm, but rules.heights is absent; leave it out or send heights");
+            let message =
+                format!("{field} is {value} mm, but rules.heights is absent; leave it out or send heights");
             findings.push(Finding::new(field, Reason::NotApplicable, value, message));
         }
         findings

@@ -30,11 +30,17 @@ fn slack(most: f64) -> f64 {
 pub(crate) fn way(bend: &Bend, p: Point) -> Option<Way> {
     let by = p - bend.center;
     let Some(turn) = &bend.turn else {
-        return Some(Way { cost: bend.cost + by.norm(), direction: by.try_normalize(0.0).unwrap_or_default() });
+        return Some(Way {
+            cost: bend.cost + by.norm(),
+            direction: by.try_normalize(0.0).unwrap_or_default(),
+        });
     };
     if bend.radius == 0.0 {
         // Its turn costs nothing.
-        return Some(Way { cost: bend.cost + by.norm(), direction: by.try_normalize(0.0).unwrap_or_default() });
+        return Some(Way {
+            cost: bend.cost + by.norm(),
+            direction: by.try_normalize(0.0).unwrap_or_default(),
+        });
     }
     let tangent = Tangent::between(bend.center, bend.radius * turn.sign, p, 0.0)?;
     let turned = turned(bend, -tangent.normal * turn.sign)?;
@@ -162,7 +168,8 @@ mod tests {
                         let h = 1e-6;
                         let cost = |at: f64| way(&bend, edge.point_at(at)).unwrap().cost;
                         let slope = (cost(at + h) - cost(at - h)) / (2.0 * h * edge.length());
-                        let said = way(&bend, edge.point_at(at)).unwrap().direction.dot(&edge.direction_at(at));
+                        let said =
+                            way(&bend, edge.point_at(at)).unwrap().direction.dot(&edge.direction_at(at));
                         assert!((slope - said).abs() < 1e-4, "{sign} {most} {at}: {slope} {said}");
                     }
                 }

@@ -12,7 +12,7 @@ mod shape;
 mod tool_change;
 
 pub use check::CheckQuestion;
-pub use effort::{rules_time_limit, requested_time_limit};
+pub use effort::{requested_time_limit, rules_time_limit};
 pub use path::path_from_wire;
 pub use plan::PlanQuestion;
 pub use tool_change::ToolChangeQuestion;

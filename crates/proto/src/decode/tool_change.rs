@@ -49,7 +49,8 @@ impl Reader<'_> {
         let rules = request.rules.unwrap_or_default();
         let algorithm = self.algorithm("rules.algorithm", rules.algorithm);
         if algorithm == Some(Algorithm::SupportingLines) {
-            let message = "the published scan places no tool changes; leave it out or ask for RAPID_ALGORITHM_EXACT";
+            let message =
+                "the published scan places no tool changes; leave it out or ask for RAPID_ALGORITHM_EXACT";
             self.not_applicable("rules.algorithm", "RAPID_ALGORITHM_SUPPORTING_LINES", message);
         }
         if rules.alternative_count != 0 {

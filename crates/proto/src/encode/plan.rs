@@ -17,10 +17,7 @@ pub fn plan_answer(
         Answer::Plan(plan) => Outcome::Plan(rapid_plan(plan)),
         Answer::NoPath(found) => Outcome::NoPath(no_path(found)),
     };
-    v1::PlanRapidMoveResponse {
-        outcome: Some(outcome),
-        stats: Some(rapid_stats(stats, prepare, search)),
-    }
+    v1::PlanRapidMoveResponse { outcome: Some(outcome), stats: Some(rapid_stats(stats, prepare, search)) }
 }
 
 pub(super) fn no_path(no_path: &NoPath) -> v1::NoPath {
