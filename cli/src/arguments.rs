@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::motion_arguments::MotionArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -127,8 +128,9 @@ pub(crate) struct Rapid {
     /// At this Z of the program, millimetres, and above it nothing is in the way. Default: nowhere.
     #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "program")]
     pub(crate) safe_z: Option<f64>,
-    /// Feeds arcs as G2 and G3 at this speed. Default: the profile's; without one arcs are straight G0 moves outside them.
-    #[arg(long, value_name = "MM_PER_MIN", requires = "program")]
+    /// Feeds arcs as G2 and G3 at this speed. Default: the profile's; without one the arcs of a program are straight G0 moves
+    /// outside them.
+    #[arg(long, value_name = "MM_PER_MIN")]
     pub(crate) arc_feed: Option<f64>,
     /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin. May come from --machine.
     /// Several (6,4,2.5) are tried largest first; the first that admits a path counts.
@@ -169,6 +171,8 @@ pub(crate) struct Rapid {
     /// How barriers turn convex corners. Default: round.
     #[arg(long, value_enum)]
     pub(crate) corner: Option<Corner>,
+    #[command(flatten)]
+    pub(crate) motion: MotionArguments,
     /// By which method.
     #[arg(long, value_enum, default_value_t = Method::Exact)]
     pub(crate) algorithm: Method,

@@ -24,7 +24,8 @@ pub(crate) async fn run(arguments: Check) -> Result<(), Failure> {
         tolerance_mm: arguments.tolerance,
     };
     let found = planning::check(&planning::caller(arguments.server.as_deref())?, &question).await?;
-    say!("cost, recomputed    {:.6} mm (the plan says {:.6})", found.cost, plan.cost);
+    let unit = if found.cost_unit() == v1::CostUnit::Seconds { "s" } else { "mm" };
+    say!("cost, recomputed    {:.6} {unit} (the plan says {:.6})", found.cost, plan.cost);
     if let Some(margin) = found.smallest_margin_mm {
         say!("smallest margin     {margin:.9} mm");
     }

@@ -11,11 +11,13 @@ macro_rules! say {
 mod arguments;
 mod call;
 mod check;
+mod clock;
 mod demo;
 mod drawing_scene;
 mod failure;
 mod input;
 mod inspect;
+mod motion_arguments;
 mod picture_file;
 mod planning;
 mod program;

@@ -35,13 +35,14 @@ pub(crate) async fn run(arguments: Arguments) -> Result<(), Failure> {
     let machine = drawing_scene::machine(&rapid.file)?;
     let found = drawing_scene::scene_with_regions(rapid, &arguments.region, machine.as_ref())?;
     let scene = found.scene;
+    let motion = rapid.motion.rules(machine.as_ref(), rapid.arc_feed)?;
     let change = ToolChange {
         start,
         target,
         regions: found.parts.into_iter().map(|part| part.shape).collect(),
         points: arguments.at.clone(),
         place_z_mm: arguments.place_z,
-        rules: rapid::rules(rapid, scene.clearance_mm),
+        rules: rapid::rules(rapid, scene.clearance_mm, motion),
     };
     let mut request = tool_change_request(&scene, &change);
     if let (Some(limit), Some(rules)) = (rapid.time_limit, &mut request.rules) {

@@ -252,6 +252,47 @@ fn alternatives_are_told_and_drawn() {
     assert!(std::fs::read_to_string(&svg).unwrap().contains("other ways"));
 }
 
+#[test]
+fn seconds_dog_legs_and_chords_are_planned_written_and_checked() {
+    let planned = Planned { folder: tempfile::tempdir().unwrap() };
+    let machines =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples/machines.toml").display().to_string();
+    let mill = drawing("vise-and-clamps.dxf");
+    let (nc, plan, request) =
+        (planned.name("plan.nc"), planned.name("plan.json"), planned.name("request.json"));
+    let base = ["rapid", &mill, "--from", "20,20", "--to", "380,230", "-o", &plan, "--request", &request];
+    let roles =
+        ["--obstacles", "VISE", "--obstacles", "CLAMPS", "--obstacles", "PINS", "--obstacles", "STOP"];
+    let ask = |more: &[&str]| traverse(&[&base[..], &roles, more].concat());
+    let check = |said: &str| assert_ends(&traverse(&["check", &request, &plan]), 0, said);
+
+    let by_axes = ["--clearance", "5", "--cost", "axis-speeds", "--axis-speeds", "24000,12000"];
+    assert_ends(&ask(&by_axes), 0, "s, proven best");
+    check("sound");
+    let limits =
+        ["--clearance", "5", "--cost", "kinematics", "--rapid-speed", "20000", "--acceleration", "1500"];
+    assert_ends(&ask(&limits), 0, "lower bound  ");
+    check(" s (the plan says");
+    let profile = ["--machines", &machines, "--machine", "mill-3", "-o", &nc];
+    assert_ends(&ask(&profile), 0, "of which 0 are arcs");
+    check("sound");
+    let program = std::fs::read_to_string(planned.path("plan.nc")).unwrap();
+    assert!(!program.contains("G2") && program.contains("G0"), "{program}");
+
+    assert_ends(&ask(&["--clearance", "5", "--cost", "kinematics"]), 3, "--acceleration");
+    assert_ends(&ask(&["--clearance", "5", "--g0", "dog-leg"]), 3, "--axis-speeds X,Y");
+    assert_ends(
+        &ask(&[&by_axes[..2], &["--g0", "dog-leg", "--cost", "length"]].concat()),
+        3,
+        "leave --cost out",
+    );
+    assert_ends(&ask(&[&by_axes[..5], &["0,1"]].concat()), 3, "rules.cost.axis_speeds.x_mm_per_s");
+
+    let text = rewrite("stop-and-plate.nc", &["--g0", "dog-leg", "--axis-speeds", "12000,6000"]);
+    assert_ends(&text, 0, "before s   after s");
+    assert_ends(&rewrite("stop-and-plate.nc", &["--arcs", "chords"]), 3, "--arcs is for plans");
+}
+
 /// `traverse rapid --program` on the bundled mill, with these arguments more.
 fn rewrite(program: &str, more: &[&str]) -> Output {
     let (drawing, program) = (drawing("vise-and-clamps.dxf"), example_program(program));

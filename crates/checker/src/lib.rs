@@ -27,14 +27,17 @@
 //! ```
 
 mod arc_distance;
+mod as_run;
 mod boundary;
 mod boundary_tree;
 mod clearance;
 mod contact;
+mod cost;
 mod curve;
 mod curve_cuts;
 mod heights;
 mod inside;
+mod kinematics;
 mod leg;
 mod message;
 mod mitre;

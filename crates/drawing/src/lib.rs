@@ -26,6 +26,7 @@
 
 mod box_pairs;
 mod color;
+mod counted;
 mod crossing_loops;
 mod curve;
 mod drawing;
@@ -83,7 +84,9 @@ pub use picture::{MARKED_FINDINGS, Shown, picture_of_drawing, picture_of_plan};
 pub use png::{
     LARGEST_PNG_PIXELS, LARGEST_PNG_WIDTH_PX, LARGEST_SVG_BYTES, PngError, SMALLEST_PNG_WIDTH_PX, png_of_svg,
 };
-pub use profile::{Machine, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles};
+pub use profile::{
+    JUNCTION_DEVIATION_MM, Machine, MachineSpeeds, PROFILE_BYTE_LIMIT, ProfileError, ProfileFinding, Profiles,
+};
 pub use read_drawing::{read_drawing, read_drawing_from};
 pub use roles::{ObstacleRole, Role, Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};

@@ -43,11 +43,17 @@
 mod at_clearance;
 mod barrier;
 mod barriers;
+mod drive;
+mod ends;
 mod feasible;
+mod kinematics;
 mod level;
 mod lowered;
+mod measure;
 mod plan;
 mod prepared;
+mod price;
+mod quickest;
 mod rapid_move;
 mod search;
 mod separating;
@@ -60,5 +66,6 @@ mod way_out;
 
 pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 pub use prepared::{EditRefusal, PreparedScene};
+pub use price::travel_cost;
 pub use rapid_move::plan_rapid_move;
 pub use tool_change::{ToolChange, ToolChangeAnswer, ToolChangePlan, plan_tool_change};

@@ -43,6 +43,8 @@ refusals! {
         /// The other end, where it lies inside barriers that it may not leave.
         inside: Vec<InsideEnd>,
     } = "END_SHUT_IN",
+    /// Every way leads through a passage that has no room for dog-legs.
+    NoRoomForDogLegs = "NO_ROOM_FOR_DOG_LEGS",
     /// The published scan does not cover the request.
     PublishedMethodNotApplicable {
         /// What it does not cover.
@@ -161,6 +163,9 @@ impl Refused {
                 }
                 Refusal::EndShutIn { field, obstacle, why } => {
                     shut_in.push(ShutInEnd { field, obstacle, why });
+                }
+                Refusal::NoRoomForDogLegs => {
+                    other.get_or_insert(Self::NoRoomForDogLegs);
                 }
                 Refusal::PublishedMethodNotApplicable { why } => {
                     other.get_or_insert(Self::PublishedMethodNotApplicable { why });

@@ -3,6 +3,7 @@
 #![allow(clippy::panic, reason = "tests; clippy sees functions that help them as production code")]
 
 mod bad_input;
+mod costs;
 mod documents;
 mod drain;
 mod gate;

@@ -76,14 +76,15 @@ pub(super) fn link(terrain: &Terrain, from: u32, side: Side, to: u32, other_side
         (feature.plan_radius * side.sign(), feature.price_radius * side.sign())
     };
     let ((rho1, price1), (rho2, price2)) = (rho(circle, side), rho(other, other_side));
-    let planned = Tangent::between(circle.center, rho1, other.center, rho2)?;
+    let along_border = border(terrain, from, side, to, other_side);
+    let planned = along_border.or_else(|| Tangent::between(circle.center, rho1, other.center, rho2))?;
     let offset = other.offset_of(-planned.normal * other_side.sign(), planned.angle_error)?;
     let left_at = circle.offset_of(-planned.normal * side.sign(), planned.angle_error)?;
     if !terrain.is_free(planned.from, planned.to) {
         return None;
     }
-    let length =
-        Tangent::between(circle.center, price1, other.center, price2).map_or(0.0, |price| price.length);
+    let price = along_border.or_else(|| Tangent::between(circle.center, price1, other.center, price2));
+    let length = price.map_or(0.0, |price| price.length);
     let mut link = Link::to(to, other_side, planned.angle_error);
     (link.left_at, link.offset, link.length) = (left_at, offset, length);
     Some(link)
@@ -93,8 +94,14 @@ pub(super) fn link(terrain: &Terrain, from: u32, side: Side, to: u32, other_side
 pub(super) fn line(terrain: &Terrain, from: u32, side: Side, link: &Link) -> Option<(Point, Point)> {
     let (circle, other) = (terrain.feature(from), terrain.feature(link.feature()));
     let (rho1, rho2) = (circle.plan_radius * side.sign(), other.plan_radius * link.side().sign());
-    let planned = Tangent::between(circle.center, rho1, other.center, rho2)?;
+    let planned = border(terrain, from, side, link.feature(), link.side())
+        .or_else(|| Tangent::between(circle.center, rho1, other.center, rho2))?;
     Some((planned.from, planned.to))
+}
+
+/// The straight move along a mitred barrier's border, between neighbours of which one is an arc.
+fn border(terrain: &Terrain, from: u32, side: Side, to: u32, other_side: Side) -> Option<Tangent> {
+    if side == other_side { terrain.along_border(from, to, side) } else { None }
 }
 
 /// Looking round from a part of a feature's range.

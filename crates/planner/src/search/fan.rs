@@ -7,7 +7,6 @@
 use super::label::{Label, Place};
 use super::shortest::Search;
 use super::stance::From;
-use super::successors::cost_at;
 use super::{End, Known, Way};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -176,7 +175,7 @@ impl<'a> Fan<'a> {
                     None => continue,
                 },
             };
-            let cost = cost_at(&from, left_at, &leg) + leg.length;
+            let cost = search.tree.cost_along(&from, left_at, &leg);
             match search.known.way(leg.planned.from, leg.planned.to) {
                 Way::Free => best = Some(best.map_or(cost, |best| best.min(cost))),
                 Way::Blocked => {}

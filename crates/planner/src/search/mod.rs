@@ -33,7 +33,7 @@ pub(crate) use fan::{Aim, Bend, Fan};
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;
-pub(crate) use label::Route;
+pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
 pub(crate) use seen::{Moves, SeenSearch};
 pub(crate) use shortest::Search;

@@ -14,6 +14,7 @@ use super::stance::From;
 use super::tree::{Room, Tree};
 use super::{End, Ground};
 use crate::barrier::Side;
+use crate::measure::{Length, Measure};
 use crate::prepared::Link;
 use traverse_geometry::Point;
 use traverse_solve::{Budget, Interrupt, Observer};
@@ -55,7 +56,7 @@ pub(crate) struct SeenSearch<'a, M> {
 
 impl<'a, M: Moves> SeenSearch<'a, M> {
     pub(crate) fn new(moves: M, start: &'a End, target: &'a End, room: Room) -> Self {
-        let tree = Tree::new(start, target, room);
+        let tree = Tree::new(Length, start, target, room);
         Self { tree, moves, starts: Vec::new(), offered: 0.0, lower_bound: 0.0 }
     }
 
@@ -132,8 +133,9 @@ impl Tree<'_> {
         let From::Feature(departure) = self.stances[stance as usize].from else { return };
         for link in links {
             let Some(left_at) = departure.leaves_along(link) else { continue };
-            let planned_cost = departure.planned_cost(left_at);
-            if self.settled.beats(departure.lane, departure.circle.price_radius, left_at, planned_cost) {
+            let planned_cost = departure.planned_cost(self.measure, left_at);
+            let arc = |from| self.measure.between(&departure.circle, from, left_at);
+            if self.settled.beats(departure.lane, left_at, planned_cost, arc) {
                 continue;
             }
             let onto = ground.feature(link.feature());

@@ -16,6 +16,7 @@ use super::label::{Label, Place, Route};
 use super::route::route;
 use super::tree::{Room, Tree};
 use super::{End, Ground, Known, Way};
+use crate::measure::{Length, Measure};
 use std::ops::Range;
 use traverse_solve::{Budget, Interrupt, Observer};
 
@@ -32,17 +33,24 @@ const SMALL_BARRIER: usize = 64;
 const STANCES_BETWEEN_CHECKS: u32 = 256;
 
 /// A search under way.
-pub(crate) struct Search<'a> {
-    pub(super) tree: Tree<'a>,
+pub(crate) struct Search<'a, M = Length> {
+    pub(super) tree: Tree<'a, M>,
     pub(crate) known: Known<'a>,
-    /// No path costs less, millimetres.
+    /// No path costs less.
     pub(crate) lower_bound: f64,
 }
 
 impl<'a> Search<'a> {
-    /// A search from `start` to `target` that has met what `known` has.
+    /// A search by length from `start` to `target` that has met what `known` has.
     pub(crate) fn new(known: Known<'a>, start: &'a End, target: &'a End) -> Self {
-        Self { tree: Tree::new(start, target, Room::default()), known, lower_bound: 0.0 }
+        Self::by(Length, known, start, target)
+    }
+}
+
+impl<'a, M: Measure> Search<'a, M> {
+    /// A search from `start` to `target` that has met what `known` has.
+    pub(crate) fn by(measure: M, known: Known<'a>, start: &'a End, target: &'a End) -> Self {
+        Self { tree: Tree::new(measure, start, target, Room::default()), known, lower_bound: 0.0 }
     }
 
     /// The shortest path; none if the barriers that were met part start from target. `steps` counts the labels that
@@ -119,7 +127,17 @@ impl<'a> Search<'a> {
     pub(super) fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
         let Some(leg) = self.tree.leg(&self.known, label) else { return Ok(true) };
         match self.known.way(leg.planned.from, leg.planned.to) {
-            Way::Free => Ok(true),
+            Way::Free => match self.tree.measure.cramped_by(leg.planned.from, leg.planned.to) {
+                None => Ok(true),
+                Some(owners) => {
+                    for owner in owners {
+                        if !self.known.was_met(owner) {
+                            self.meet(owner, budget)?;
+                        }
+                    }
+                    Ok(false)
+                }
+            },
             Way::Blocked => Ok(false),
             Way::Meets(owner) => self.meet(owner, budget).map(|()| false),
         }

@@ -9,6 +9,7 @@ use super::settled::{Lane, Settled};
 use super::stance::{From, Leg, Stance};
 use super::{End, Ground};
 use crate::barrier::Side;
+use crate::measure::{Length, Measure};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use traverse_geometry::{Point, Vector};
@@ -27,7 +28,8 @@ pub(crate) struct Room {
 }
 
 /// A search tree from `start` towards `target`.
-pub(crate) struct Tree<'a> {
+pub(crate) struct Tree<'a, M = Length> {
+    pub(super) measure: M,
     pub(super) start: &'a End,
     pub(super) target: &'a End,
     labels: Vec<Label>,
@@ -40,11 +42,11 @@ pub(crate) struct Tree<'a> {
     pub(super) settled: Settled,
 }
 
-impl<'a> Tree<'a> {
+impl<'a, M: Measure> Tree<'a, M> {
     /// A tree of nothing but the start.
-    pub(crate) fn new(start: &'a End, target: &'a End, room: Room) -> Self {
+    pub(crate) fn new(measure: M, start: &'a End, target: &'a End, room: Room) -> Self {
         let Room { labels, stances, ahead, open, settled } = room;
-        let mut tree = Self { start, target, labels, stances, ahead, open, settled };
+        let mut tree = Self { measure, start, target, labels, stances, ahead, open, settled };
         for place in 0..start.places.len() as u32 {
             let place = Place::Start(place);
             tree.add(
@@ -95,7 +97,7 @@ impl<'a> Tree<'a> {
 
     /// Adds a label whose place on the answered path is `at`.
     pub(super) fn add(&mut self, label: Label, at: Point) {
-        let estimate = label.cost + (self.target.point - at).norm();
+        let estimate = label.cost + self.measure.along(self.target.point - at);
         self.open.push((Reverse(estimate.to_bits()), self.labels.len() as u32));
         self.labels.push(label);
     }
@@ -134,8 +136,9 @@ impl<'a> Tree<'a> {
         if !ground.knows_stretches(feature) {
             return false;
         }
-        let radius = ground.feature(feature).price_radius;
-        lane(ground, label).is_none_or(|lane| self.settled.serves(lane, radius, label.offset, label.cost))
+        let circle = ground.feature(feature);
+        let arc = |from| self.measure.between(circle, from, label.offset);
+        lane(ground, label).is_none_or(|lane| self.settled.serves(lane, label.offset, label.cost, arc))
     }
 
     /// The straight move that leads to a label; none where there is none to make.

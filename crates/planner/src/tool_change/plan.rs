@@ -9,8 +9,8 @@ use super::meeting::{Meeting, Met};
 use super::parted::parted;
 use super::permitted::{Permitted, Places};
 use super::question::{ToolChange, ToolChangeAnswer, ToolChangePlan};
-use crate::at_clearance::clear_end;
 use crate::barriers::Barriers;
+use crate::ends::clear_ends;
 use crate::feasible::most_feasible;
 use crate::level::{Levels, passed_over};
 use crate::lowered::with_clearance;
@@ -48,7 +48,7 @@ pub fn plan_tool_change(
         let scene = with_clearance(scene, clearance);
         match plan_in(&scene, question, false, budget, &mut stats, observer) {
             Ok(ToolChangeAnswer::NoPath(_)) => {}
-            Err(refusals) if refusals.iter().all(Refusal::is_about_an_end) => {}
+            Err(refusals) if refusals.iter().all(Refusal::is_about_room) => {}
             Ok(answer) => return Ok((answer, stats)),
             Err(refusals) => return Err(refusals),
         }
@@ -148,16 +148,9 @@ impl<'a> Placing<'a> {
         budget: &'a Budget,
     ) -> Result<Result<Self, Vec<Refusal>>, Interrupt> {
         let heights = question.rules.heights;
-        let start_z = heights.map_or(0.0, |rule| rule.start_z_mm);
-        let target_z = heights.map_or(0.0, |rule| rule.target_z_mm);
-        let out = |field, point, z_mm, rule| clear_end(barriers, heights, (field, point, z_mm), rule, budget);
-        let start = out("start", question.start, start_z, &question.rules.leave)?;
-        let target = out("target", question.target, target_z, &question.rules.enter)?;
-        let clear = match (start, target) {
-            (Ok(start), Ok(target)) => [start, target],
-            (start, target) => {
-                return Ok(Err([start.err(), target.err()].into_iter().flatten().flatten().collect()));
-            }
+        let clear = match clear_ends(barriers, &question.whole(), budget)? {
+            Ok(clear) => clear,
+            Err(refusals) => return Ok(Err(refusals)),
         };
         let levels = [question.approach_rules(), question.departure_rules()]
             .map(|rules| Levels::of(barriers, rules.heights));
@@ -279,14 +272,16 @@ impl<'a> Placing<'a> {
         let bound = found.met.lower_bound + found.aside;
         let approach = self.planned(&self.question.approach(place), bound, stats)?;
         let departure = self.planned(&self.question.departure(place), bound, stats)?;
+        // Chords outside of arcs cost more than these.
         let cost = approach.cost + departure.cost;
+        let by_arcs = approach.lower_bound + departure.lower_bound;
         debug_assert!(
-            (cost - found.met.cost - found.aside).abs() <= 1e-9 * cost.max(1.0),
-            "{cost} {found:?}"
+            (by_arcs - found.met.cost - found.aside).abs() <= 1e-9 * by_arcs.max(1.0),
+            "{by_arcs} {found:?}"
         );
         // Rounding must not set what is proven and its bound apart.
         let is_proven = found.met.cost - found.met.lower_bound <= ROUNDING_RATIO * found.met.cost;
-        let lower_bound = if is_proven { cost } else { bound.min(cost) };
+        let lower_bound = if is_proven { by_arcs } else { bound.min(by_arcs) };
         observer.better_bound(lower_bound);
         observer.better_cost(cost);
         Ok(ToolChangePlan { place, approach, departure, cost, lower_bound })

@@ -2,7 +2,8 @@
 
 use crate::{Algorithm, NoPath, RapidMove, RapidPlan};
 use traverse_geometry::{
-    COORDINATE_LIMIT_MM, EndRule, Finding, HeightRule, Point, Polygon, RapidRules, Reason,
+    COORDINATE_LIMIT_MM, EndRule, Finding, HeightRule, Point, Polygon, RapidMotion, RapidRules, Reason,
+    TravelCost,
 };
 
 /// A tool change to place.
@@ -49,7 +50,8 @@ pub struct ToolChangePlan {
 }
 
 impl ToolChange {
-    /// Everything that is wrong beyond the rules: `regions`, where there is no place at all, and `place_z_mm`.
+    /// Everything that is wrong beyond the rules themselves: `regions`, where there is no place at all, `rules.cost` and
+    /// `rules.motion` other than length and linear, `place_z_mm`.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
@@ -57,6 +59,15 @@ impl ToolChange {
             let message =
                 "neither regions nor points are given; send at least one place where the tool may be changed";
             findings.push(Finding::new("regions", Reason::MissingField, "", message));
+        }
+        if self.rules.cost != TravelCost::Length {
+            let message =
+                "places for tool changes are known by length alone; leave it out, or send cost.euclidean";
+            findings.push(Finding::new("rules.cost", Reason::NotApplicable, "", message));
+        }
+        if self.rules.motion != RapidMotion::Linear {
+            let message = "places for tool changes are known for linear motion alone; leave it out";
+            findings.push(Finding::new("rules.motion", Reason::NotApplicable, "DOG_LEG", message));
         }
         let Some(z) = self.place_z_mm else { return findings };
         let field = "place_z_mm";
@@ -109,6 +120,16 @@ impl ToolChange {
             leave: EndRule::Refuse,
             alternative_count: 0,
             ..self.rules.clone()
+        }
+    }
+
+    /// The move without a change.
+    pub(crate) fn whole(&self) -> RapidMove {
+        RapidMove {
+            start: self.start,
+            target: self.target,
+            algorithm: Algorithm::Exact,
+            rules: self.rules.clone(),
         }
     }
 

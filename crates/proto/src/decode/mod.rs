@@ -1,6 +1,7 @@
 //! From the wire to the domain: once, validated, with every finding, or refused.
 
 mod check;
+mod cost;
 mod effort;
 mod number;
 mod path;

@@ -1,11 +1,12 @@
 //! Rules of rapid moves.
 
+use super::cost::cost;
 use super::reader::Reader;
 use crate::v1;
 use traverse_geometry::{ALTERNATIVE_LIMIT, EndRule, HeightRule, RapidRules, Vector};
 
 impl Reader<'_> {
-    /// Rules for heights, clearances and ends; what is wrong with them is reported.
+    /// Rules for costs, heights, clearances and ends; what is wrong with them is reported.
     pub(crate) fn rules(&mut self, field: &str, rules: v1::RapidRules) -> RapidRules {
         let alternative_count = usize::try_from(rules.alternative_count).unwrap_or_else(|_| {
             let field = format!("{field}.alternative_count");
@@ -13,6 +14,9 @@ impl Reader<'_> {
             0
         });
         let rules = RapidRules {
+            cost: cost(rules.cost),
+            motion: self.motion(&format!("{field}.motion"), rules.motion),
+            arcs: self.arcs(&format!("{field}.arcs"), rules.arcs),
             heights: rules.heights.map(|rule| HeightRule {
                 start_z_mm: rule.start_z_mm + 0.0,
                 target_z_mm: rule.target_z_mm + 0.0,

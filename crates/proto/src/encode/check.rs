@@ -1,6 +1,7 @@
 //! CheckRapidMove's answer.
 
 use super::path::point;
+use super::plan::cost_unit;
 use crate::v1;
 use traverse_checker::{PathCheck, Violation};
 
@@ -12,6 +13,7 @@ pub fn check_answer(check: &PathCheck) -> v1::CheckRapidMoveResponse {
         cost: check.cost,
         smallest_margin_mm: check.smallest_margin_mm,
         clearance_mm: check.clearance_mm,
+        cost_unit: cost_unit(check.cost_unit).into(),
     }
 }
 
