@@ -68,6 +68,7 @@ pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
         || scene.work_area.is_some() && scene.border_clearance() > 0.0;
     let passed = scene.obstacles.iter().any(|obstacle| shown.passes_over(scene, obstacle));
     let parted = matches!(shown, Shown::NoPath { .. });
+    let no_place = matches!(shown, Shown::ToolChange { moves: [], separating: [_, ..], .. });
     let (regions, points) = shown.permitted();
     let others = String::from(if matches!(shown, Shown::Choice { .. }) { "other ways" } else { "before" });
     let ends = shown.ends();
@@ -81,6 +82,7 @@ pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
         (passed, Sign::Field("obstacle passed"), String::from("passed over")),
         (barriers, Sign::Field("zone"), String::from("barrier")),
         (parted, Sign::Field("obstacle parts"), String::from("parts start from target")),
+        (no_place, Sign::Field("obstacle parts"), String::from("in the way")),
         (!shown.paths().is_empty(), Sign::Line("rapid"), String::from("rapid move")),
         (!shown.before().is_empty(), Sign::Line("before"), others),
         (
