@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Serve(Serve),
     /// Plans the shortest rapid move through a drawing.
     Rapid(Box<Rapid>),
+    /// Finds the cheapest place for a tool change between two points of a drawing.
+    ToolChange(Box<ToolChange>),
     /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
     Inspect(Inspect),
     /// Orders the sections of a cutting layout so that they join tightest.
@@ -177,6 +179,9 @@ pub(crate) struct Rapid {
     /// By which method.
     #[arg(long, value_enum, default_value_t = Method::Exact)]
     pub(crate) algorithm: Method,
+    /// So many other ways round are wanted as well, shortest first, at most 16.
+    #[arg(long, value_name = "COUNT", default_value_t = 0)]
+    pub(crate) alternatives: usize,
     /// Stop after this long, seconds. Default: the server's.
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) time_limit: Option<Duration>,
@@ -197,6 +202,24 @@ pub(crate) struct Rapid {
     /// Ask this server instead of planning in process.
     #[arg(long, value_name = "URL")]
     pub(crate) server: Option<String>,
+}
+
+/// A tool change, and the moves there and on.
+#[derive(Args, Debug)]
+pub(crate) struct ToolChange {
+    /// Where the tool may be changed: a layer, or id:NAME, group:NAME, color:#RRGGBB; * stands for anything. Its loops are
+    /// no obstacles. Repeat for more.
+    #[arg(long, value_name = "SELECTOR", required_unless_present = "at")]
+    pub(crate) region: Vec<String>,
+    /// A point where it may be changed as well, millimetres. Repeat for more.
+    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
+    pub(crate) at: Vec<Point>,
+    /// Height at which it is changed, millimetres. Default: --highest-z.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    pub(crate) place_z: Option<f64>,
+    /// As of rapid moves; outputs are .svg or .png pictures and .json a PlaceToolChangeResponse.
+    #[command(flatten)]
+    pub(crate) rapid: Rapid,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

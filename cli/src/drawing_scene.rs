@@ -15,6 +15,17 @@ pub(crate) fn scene(arguments: &Rapid, machine: Option<&Machine>) -> Result<Scen
     found_in(&read(&arguments.file)?, arguments, &options(arguments, machine)?)
 }
 
+/// The same, with loops that are no obstacles: the parts of what is found.
+pub(crate) fn scene_with_regions(
+    arguments: &Rapid,
+    regions: &[String],
+    machine: Option<&Machine>,
+) -> Result<SceneFromDrawing, Failure> {
+    let mut options = options(arguments, machine)?;
+    options.roles.parts = regions.iter().map(|text| Selector::new(text)).collect();
+    found_in(&read(&arguments.file)?, arguments, &options)
+}
+
 /// The scene for every tool that `machine` knows the clearance of, and for all others.
 pub(crate) fn scenes_by_tool(
     arguments: &Rapid,

@@ -31,6 +31,7 @@ mod rapid;
 mod section_files;
 mod serve;
 mod solve;
+mod tool_change;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         match arguments.command {
             Command::Serve(serve) => serve::run(serve).await,
             Command::Rapid(rapid) => rapid::run(*rapid).await,
+            Command::ToolChange(change) => tool_change::run(*change).await,
             Command::Inspect(inspect) => inspect::run(&inspect),
             Command::Order(order) => order::run(*order).await,
             Command::Solve(solve) => solve::run(&solve),

@@ -51,7 +51,8 @@ pub(crate) async fn check_sections(
     call(caller, "CheckSections", request).await.map(|(answer, _)| answer)
 }
 
-async fn call<A: Message + Default>(
+/// Any call; answers the message and its JSON text.
+pub(crate) async fn call<A: Message + Default>(
     caller: &Caller,
     method: &str,
     request: &impl Message,

@@ -60,7 +60,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
 }
 
 /// The rules that the command line asks for. What is wrong with them the service says.
-fn rules(arguments: &Rapid, clearance_mm: f64, motion: RapidRules) -> RapidRules {
+pub(crate) fn rules(arguments: &Rapid, clearance_mm: f64, motion: RapidRules) -> RapidRules {
     let heights = arguments.start_z.map(|start_z_mm| HeightRule {
         start_z_mm,
         target_z_mm: arguments.target_z.unwrap_or(start_z_mm),
@@ -73,7 +73,14 @@ fn rules(arguments: &Rapid, clearance_mm: f64, motion: RapidRules) -> RapidRules
     if clearances_mm.len() < 2 {
         clearances_mm.clear();
     }
-    RapidRules { heights, clearances_mm, leave: arguments.leave, enter: arguments.enter, ..motion }
+    RapidRules {
+        heights,
+        clearances_mm,
+        leave: arguments.leave,
+        enter: arguments.enter,
+        alternative_count: arguments.alternatives,
+        ..motion
+    }
 }
 
 /// What a file of the command line is to hold, by the ending of its name.
@@ -150,7 +157,17 @@ pub(crate) fn picture(
         Some(Outcome::Plan(plan)) => {
             let path = path_of(answer)?.unwrap_or_else(|| Path::at(point(&request.start)));
             let scene = Scene { clearance_mm: plan.clearance_mm, ..scene.clone() };
-            picture_of_plan(&scene, Shown::Path(&path), title)
+            let others: Vec<Path> = if algorithm(request) == v1::RapidAlgorithm::SupportingLines {
+                Vec::new()
+            } else {
+                let others = plan.alternatives.iter().cloned().map(path_from_wire);
+                others.collect::<Result<_, _>>().map_err(|refused| Failure::Internal(refused.message()))?
+            };
+            let shown = match others.is_empty() {
+                true => Shown::Path(&path),
+                false => Shown::Choice { path: &path, others: &others },
+            };
+            picture_of_plan(&scene, shown, title)
         }
         Some(Outcome::NoPath(no_path)) => {
             let shown = Shown::NoPath {
@@ -162,6 +179,10 @@ pub(crate) fn picture(
         }
         None => picture_of_plan(scene, Shown::Scene, title),
     })
+}
+
+fn algorithm(request: &v1::PlanRapidMoveRequest) -> v1::RapidAlgorithm {
+    request.rules.as_ref().map_or(v1::RapidAlgorithm::Exact, v1::RapidRules::algorithm)
 }
 
 fn report(
@@ -211,8 +232,9 @@ fn report(
                     plan.bending_obstacle_ids.join(", ")
                 }
             );
+            let kind = if matches!(arguments.algorithm, Method::Exact) { "other way" } else { "candidate" };
             for alternative in &plan.alternatives {
-                say!("candidate    {:.6} mm", alternative.length_mm);
+                say!("{kind:<12} {:.6} mm", alternative.length_mm);
             }
             if let Some(search) = answer.stats.as_ref().and_then(|stats| stats.search_duration) {
                 say!("search       {:?} among {} obstacles", duration(&search), scene.obstacles.len());
@@ -222,19 +244,26 @@ fn report(
         Some(Outcome::NoPath(no_path)) => Err(Failure::NoPath(format!(
             "there is no path: start and target are parted by {}; {}",
             or_none(&no_path.separating_obstacle_ids),
-            match no_path.feasible_clearance_mm {
-                Some(clearance) =>
-                    format!("at a clearance of {clearance:.6} mm, all others lowered as much, there is one"),
-                None if no_path.feasible_clearance_unknown =>
-                    "at which clearance there is one was not known in time".to_owned(),
-                None => "there is none at any clearance".to_owned(),
-            }
+            feasible(no_path)
         ))),
         None => Err(Failure::Internal("the answer holds neither a plan nor that there is none".to_owned())),
     }
 }
 
-fn or_none(ids: &[String]) -> String {
+/// At which clearance there is what is not.
+pub(crate) fn feasible(no_path: &v1::NoPath) -> String {
+    match no_path.feasible_clearance_mm {
+        Some(clearance) => {
+            format!("at a clearance of {clearance:.6} mm, all others lowered as much, there is one")
+        }
+        None if no_path.feasible_clearance_unknown => {
+            "at which clearance there is one was not known in time".to_owned()
+        }
+        None => "there is none at any clearance".to_owned(),
+    }
+}
+
+pub(crate) fn or_none(ids: &[String]) -> String {
     if ids.is_empty() { "nothing but the work area's border, if any".to_owned() } else { ids.join(", ") }
 }
 

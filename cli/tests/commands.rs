@@ -283,6 +283,49 @@ fn a_machine_profile_gives_clearance_and_g_code() {
     assert_ends(&ask(&["--clearance", "4", "--machine", "lathe-2"]), 2, "--machines");
 }
 
+/// A block between two points, a frame in which the tool may be changed above it.
+const BLOCK_AND_FRAME: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="100mm" viewBox="0 0 200 100">
+<rect id="block" x="80" y="20" width="40" height="60"/><rect id="frame" x="90" y="2" width="20" height="10"/></svg>"#;
+
+#[test]
+fn a_tool_change_is_placed_checked_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let [drawing, svg, json, request] = ["block.svg", "change.svg", "change.json", "request.json"]
+        .map(|name| folder.path().join(name).display().to_string());
+    std::fs::write(&drawing, BLOCK_AND_FRAME).unwrap();
+    let base = ["tool-change", &drawing, "--from", "20,50", "--to", "180,50", "--clearance", "5"];
+    let ask = |more: &[&str]| traverse(&base.iter().chain(more).copied().collect::<Vec<_>>());
+    let found = ask(&["--region", "id:frame", "-o", &svg, "-o", &json, "--request", &request]);
+    // y is up: the frame's lower border is at 88.
+    assert_ends(&found, 0, "place        100.000000, 88.000000");
+    assert_ends(&found, 0, "proven cheapest");
+    assert_ends(&found, 0, "checked      sound");
+    let picture = std::fs::read_to_string(&svg).unwrap();
+    assert!(picture.contains("class=\"region\"") && picture.contains("tool change at 100, 88"));
+    let called = traverse(&["call", "PlaceToolChange", &request]);
+    let [there, here]: [serde_json::Value; 2] =
+        [called.stdout, std::fs::read(&json).unwrap()].map(|text| serde_json::from_slice(&text).unwrap());
+    assert_eq!(there["plan"], here["plan"]);
+    assert_ends(&ask(&["--at", "20,90", "--at", "150,90"]), 0, "place        150.000000, 90.000000");
+    assert_ends(&ask(&["--at", "100,50"]), 4, "block in the way");
+    assert_ends(&ask(&["--region", "id:frame", "--alternatives", "2"]), 3, "traverse rapid");
+    assert_ends(&ask(&["--region", "id:frame", "-o", "change.dxf"]), 3, ".svg, .png or .json");
+    assert_ends(&ask(&[]), 2, "--region");
+}
+
+#[test]
+fn alternatives_are_told_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let [drawing, svg] = ["block.svg", "ways.svg"].map(|name| folder.path().join(name).display().to_string());
+    std::fs::write(&drawing, BLOCK_AND_FRAME).unwrap();
+    let more = ["--alternatives", "3", "-o", &svg];
+    let base = ["rapid", &drawing, "--from", "20,52", "--to", "180,52", "--clearance", "2"];
+    let found = traverse(&base.iter().chain(&more).copied().collect::<Vec<_>>());
+    assert_ends(&found, 0, "proven shortest");
+    assert_eq!(text(&found.stdout).matches("other way").count(), 3, "{}", text(&found.stdout));
+    assert!(std::fs::read_to_string(&svg).unwrap().contains("other ways"));
+}
+
 #[test]
 fn seconds_dog_legs_and_chords_are_planned_written_and_checked() {
     let planned = Planned { folder: tempfile::tempdir().unwrap() };

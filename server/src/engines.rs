@@ -4,7 +4,9 @@
 use traverse_checker::{PathCheck, SectionsCheck, check_rapid_move_by_while, check_sections_while};
 use traverse_geometry::{Finding, Scene};
 use traverse_layout_sequencing::{JoinMatrix, LayoutAnswer, joins, order_sections};
-use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
+use traverse_planner::{
+    Answer, RapidMove, Refusal, Stats, ToolChange, ToolChangeAnswer, plan_rapid_move, plan_tool_change,
+};
 use traverse_proto::{CheckQuestion, CheckSectionsQuestion, OrderQuestion};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
@@ -21,6 +23,19 @@ pub trait Engines: Send + Sync + 'static {
         budget: &Budget,
     ) -> Result<(Answer, Stats), Vec<Refusal>> {
         plan_rapid_move(scene, query, budget, &mut Silent)
+    }
+
+    /// Places one tool change.
+    ///
+    /// # Errors
+    /// As [`plan_tool_change`].
+    fn place_tool_change(
+        &self,
+        scene: &Scene,
+        change: &ToolChange,
+        budget: &Budget,
+    ) -> Result<(ToolChangeAnswer, Stats), Vec<Refusal>> {
+        plan_tool_change(scene, change, budget, &mut Silent)
     }
 
     /// Checks one rapid move. None: the budget ended first.

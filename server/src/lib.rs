@@ -40,6 +40,7 @@ mod sections_service;
 mod server;
 mod signal;
 mod telemetry;
+mod tool_change;
 
 pub use caller::{CallError, Caller};
 pub use config::{Config, ConfigError, DEFAULT_PORT};

@@ -7,6 +7,7 @@ use crate::dispatch::Dispatcher;
 use crate::engines::Engines;
 use crate::limits_answer::limits_answer;
 use crate::sections_service;
+use crate::tool_change;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tonic::{Code, Request, Response, Status};
@@ -15,12 +16,12 @@ use traverse_planner::Answer;
 use traverse_proto::v1::planner_service_server::PlannerService;
 use traverse_proto::v1::{
     CheckRapidMoveRequest, CheckRapidMoveResponse, CheckSectionsRequest, CheckSectionsResponse,
-    GetLimitsRequest, GetLimitsResponse, OrderSectionsRequest, OrderSectionsResponse, PlanRapidMoveRequest,
-    PlanRapidMoveResponse,
+    GetLimitsRequest, GetLimitsResponse, OrderSectionsRequest, OrderSectionsResponse, PlaceToolChangeRequest,
+    PlaceToolChangeResponse, PlanRapidMoveRequest, PlanRapidMoveResponse,
 };
 use traverse_proto::{
     CheckQuestion, CountedLimit, PlanQuestion, Refused, check_answer, plan_answer,
-    requested_order_time_limit, requested_time_limit, sound_answer,
+    requested_order_time_limit, requested_time_limit, rules_time_limit, sound_answer,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -49,6 +50,18 @@ impl PlannerService for Planner {
         let (config, engines) = (Arc::clone(&self.config), Arc::clone(&self.engines));
         let (facts, request) = (Arc::clone(&call), request.into_inner());
         let work = move |budget: &Budget| plan(&config, &*engines, &facts, request, budget);
+        self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
+    }
+
+    async fn place_tool_change(
+        &self,
+        request: Request<PlaceToolChangeRequest>,
+    ) -> Result<Response<PlaceToolChangeResponse>, Status> {
+        let call = call_of(&request);
+        let deadline = self.deadline(&call, &request, rules_time_limit(request.get_ref().rules.as_ref()));
+        let (config, engines) = (Arc::clone(&self.config), Arc::clone(&self.engines));
+        let (facts, request) = (Arc::clone(&call), request.into_inner());
+        let work = move |budget: &Budget| tool_change::place(&config, &*engines, &facts, request, budget);
         self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
     }
 
@@ -200,7 +213,7 @@ fn check(
     Ok((check_answer(&found), outcome))
 }
 
-fn size_of(facts: &mut Facts, scene: &Scene) {
+pub(crate) fn size_of(facts: &mut Facts, scene: &Scene) {
     facts.vertices = scene.vertex_count();
     facts.obstacles = scene.obstacles.len();
 }

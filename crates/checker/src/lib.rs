@@ -44,6 +44,7 @@ mod mitre;
 mod order_rules;
 mod part_overlaps;
 mod path_shape;
+mod place_check;
 mod posed_section;
 mod rapid_check;
 mod rules_check;
@@ -57,6 +58,7 @@ mod violation;
 mod witness;
 
 pub use part_overlaps::{OVERLAP_LIMIT, PartOverlap, part_overlaps_while};
+pub use place_check::{PlaceCheck, PlacedChange, check_tool_change};
 pub use rapid_check::{
     PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
     check_rapid_move_while,

@@ -5,6 +5,7 @@
 //! is told below it. Barriers need no offset curves: an obstacle's border stroked with twice its clearance, beneath
 //! the obstacle, is its barrier. Cost: linear, but for placing labels.
 
+mod change_place;
 mod drawing_picture;
 mod extent;
 mod finding_list;
@@ -54,7 +55,9 @@ pub fn picture_of_plan(scene: &Scene, shown: Shown<'_>, title: &str) -> String {
     let frame = Frame::new(extent::of_scene(scene, &shown), AIR, header.height());
     let mut body = String::new();
     shapes::draw(&mut body, scene, &shown, &frame);
+    change_place::draw_permitted(&mut body, &shown, &frame);
     route::draw(&mut body, &shown, &frame);
+    change_place::draw_place(&mut body, &shown, &frame);
     let unnamed = ids::draw(&mut body, scene, &shown, &frame);
     let entries = plan_words::legend(scene, &shown);
     let legend = legend::Legend::new(entries, plan_words::unnamed(&unnamed, scene.obstacles.len()), &frame);

@@ -48,6 +48,45 @@ fn a_path_and_no_path() {
     );
 }
 
+#[test]
+fn a_tool_change_and_other_ways_are_drawn_and_explained() {
+    let scene = bundled("turned-shaft.dxf", 4.0);
+    let (start, place, target) = (Point::new(100.0, 60.0), Point::new(150.0, 90.0), Point::new(230.0, 60.0));
+    let straight = |from: Point, to: Point| {
+        let mut path = Path::at(from);
+        path.line_to(to);
+        path
+    };
+    let corners = [(140.0, 90.0), (160.0, 90.0), (160.0, 99.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+    let regions = [Polygon::from_ring(Ring::new(corners, Vec::new()).unwrap())];
+    let moves = [straight(start, place), straight(place, target)];
+    let change = |moves, separating| Shown::ToolChange {
+        regions: &regions,
+        points: &[place],
+        ends: (start, target),
+        moves,
+        separating,
+    };
+    let count = |svg: &str, class: &str| {
+        let document = roxmltree::Document::parse(svg).unwrap();
+        document.descendants().filter(|node| node.attribute("class") == Some(class)).count()
+    };
+    let svg = picture_of_plan(&scene, change(&moves, &[]), "Shaft");
+    // Region, point and the sign of the legend; both moves and theirs.
+    assert_eq!((count(&svg, "region"), count(&svg, "rapid")), (3, 3));
+    for said in ["tool change at 150, 90: both moves ", "tool change permitted", ">tool change</text>"] {
+        assert!(svg.contains(said), "{said}");
+    }
+    let parts = [String::from("SHAFT/1")];
+    let nowhere = picture_of_plan(&scene, change(&[], &parts), "");
+    assert!(nowhere.contains("no place for the tool change: SHAFT/1 in the way"));
+    assert_eq!((count(&nowhere, "rapid"), count(&nowhere, "obstacle parts")), (0, 2));
+    let shown = Shown::Choice { path: &moves[0], others: &moves[..1] };
+    let choice = picture_of_plan(&scene, shown, "");
+    assert_eq!((count(&choice, "rapid"), count(&choice, "before")), (2, 2));
+    assert!(choice.contains("other ways"));
+}
+
 /// A needle's barrier ends at the limit's distance from its tip, as it is planned, not at the bevel.
 #[test]
 fn mitred_corners_are_cut_square_at_the_limit() {

@@ -69,7 +69,8 @@ pub use point::{Point, Vector, cross, left_of, positive_angle, unit};
 pub use polygon::Polygon;
 pub use polyline::Polyline;
 pub use rapid_rules::{
-    ARC_CHORD_TOLERANCE_MM, ArcOutput, CLEARANCE_CHOICES, EndRule, HeightRule, RapidMotion, RapidRules,
+    ALTERNATIVE_LIMIT, ARC_CHORD_TOLERANCE_MM, ArcOutput, CLEARANCE_CHOICES, EndRule, HeightRule,
+    RapidMotion, RapidRules,
 };
 pub use ring::Ring;
 pub use scene::{CornerStyle, MITER_RATIO_LIMIT, Obstacle, Scene, WORK_AREA_ID};

@@ -6,6 +6,9 @@ use crate::{AxisSpeeds, COORDINATE_LIMIT_MM, Finding, Obstacle, Reason, TravelCo
 /// Most clearances of one list.
 pub const CLEARANCE_CHOICES: usize = 16;
 
+/// Most ways round of other kinds.
+pub const ALTERNATIVE_LIMIT: usize = 16;
+
 /// How far outside of an arc the chords may lie that stand for it, millimetres.
 pub const ARC_CHORD_TOLERANCE_MM: f64 = 0.01;
 
@@ -31,6 +34,9 @@ pub struct RapidRules {
     pub motion: RapidMotion,
     /// How arcs are put out.
     pub arcs: ArcOutput,
+    /// How many locally shortest ways round of other kinds are wanted as well, at most [`ALTERNATIVE_LIMIT`]. For
+    /// [`TravelCost::Length`] and [`RapidMotion::Linear`] alone.
+    pub alternative_count: usize,
 }
 
 /// How the machine runs straight level rapid steps (G0).
@@ -90,7 +96,7 @@ pub enum EndRule {
 
 impl RapidRules {
     /// Everything that is wrong, in the order of the fields: `cost.…`, `heights.…`, `clearances_mm[i]`,
-    /// `leave.direction`, `enter.direction`, `motion`.
+    /// `leave.direction`, `enter.direction`, `motion`, `alternative_count`.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = self.cost.findings(self.heights.is_some());
@@ -103,7 +109,23 @@ impl RapidRules {
             let message = "motion is DOG_LEG without speeds of the axes; send cost.axis_speeds, or LINEAR";
             findings.push(Finding::new("motion", Reason::MissingField, "DOG_LEG", message));
         }
+        findings.extend(self.alternatives_finding());
         findings
+    }
+
+    fn alternatives_finding(&self) -> Option<Finding> {
+        let (field, count) = ("alternative_count", self.alternative_count);
+        if count > ALTERNATIVE_LIMIT {
+            let message = format!(
+                "{count} alternatives asked for, at most {ALTERNATIVE_LIMIT} permitted; ask for fewer"
+            );
+            return Some(Finding::new(field, Reason::TooMany, count, message));
+        }
+        let by_length = self.cost == TravelCost::Length && self.motion == RapidMotion::Linear;
+        (count > 0 && !by_length).then(|| {
+            let message = "only for length and linear motion it is known which other ways there are; leave it out, or cost and motion";
+            Finding::new(field, Reason::NotApplicable, count, message)
+        })
     }
 
     /// The axes' speeds where the machine runs dog-legs.
@@ -243,6 +265,7 @@ mod tests {
             clearances_mm: vec![3.0, 3.0, f64::NAN, 1e-9],
             leave: EndRule::Direction(Vector::zeros()),
             enter: EndRule::Direction(Vector::new(f64::INFINITY, 0.0)),
+            alternative_count: 17,
             motion: RapidMotion::DogLeg,
             ..RapidRules::default()
         };
@@ -256,6 +279,7 @@ mod tests {
             ("leave.direction", Reason::OutOfRange),
             ("enter.direction", Reason::NotFinite),
             ("motion", Reason::MissingField),
+            ("alternative_count", Reason::TooMany),
         ];
         assert_eq!(found, expected.map(|(field, reason)| (field.to_owned(), reason)));
         let many = RapidRules { clearances_mm: vec![1.0; 17], ..RapidRules::default() };

@@ -9,12 +9,12 @@ use crate::measure::{AxisTime, Length, Measure};
 use crate::price::{at_rest, bound_of, in_plane, of_search, straight, travel_cost, vertical};
 use crate::quickest::{Way, quickest};
 use crate::rapid_move::least_cost;
-use crate::search::{End, Known, Route, Search};
+use crate::search::{End, Known, Route, Search, locally_shortest};
 use crate::separating::separating;
 use crate::shortest_route::ShortestRoute;
 use crate::standing::stand;
-use crate::trace::trace;
-use crate::{RapidMove, RapidPlan, Refusal, Stats};
+use crate::trace::{is_same_way, trace};
+use crate::{Algorithm, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
 use traverse_geometry::{Path, Scene, TravelCost};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
@@ -99,7 +99,10 @@ impl<'a> AtClearance<'a> {
         self.lower_bound = told.max(bound);
         let Some((path, found)) = self.as_run(ends, level, found, stats)? else { return Ok(Outcome::NoRoom) };
         let bending = found.route.as_ref().map_or_else(Vec::new, |route| self.bending(route));
-        let plan = self.plan(path, bound, bending);
+        let mut plan = self.plan(path, bound, bending);
+        if self.query.rules.alternative_count > 0 && self.query.algorithm == Algorithm::Exact {
+            plan.alternatives = self.alternatives(ends, level, found.path, stats);
+        }
         // Rounding must not set the proven cost and the bounds that were told apart.
         let proven = plan.lower_bound.max(told);
         if proven > told {
@@ -107,6 +110,28 @@ impl<'a> AtClearance<'a> {
         }
         observer.better_cost(plan.cost.max(proven));
         Ok(Outcome::Plan(plan))
+    }
+
+    /// Other locally shortest ways than `along`, at its level. The budget's end leaves those that were found.
+    fn alternatives(&self, ends: ClearEnds, level: usize, along: Path, stats: &mut Stats) -> Vec<Path> {
+        let count = self.query.rules.alternative_count;
+        let left_out = self.levels.passed_over(self.barriers, level);
+        if ends[0] == ends[1] {
+            return Vec::new();
+        }
+        let Ok([start, target]) = self.stands(&left_out, ends) else { return Vec::new() };
+        // One among them is the plan.
+        let routes =
+            locally_shortest(self.barriers, &left_out, [&start, &target], count + 1, stats, self.budget);
+        let mut ways = vec![Found { path: along, route: None }];
+        for route in routes {
+            let way = found_along(route, ends);
+            if !ways.iter().any(|known| is_same_way(&known.path, &way.path)) {
+                ways.push(way);
+            }
+        }
+        let others = ways.iter().skip(1).take(count);
+        others.map_while(|way| self.driven(ends, level, way).ok().flatten()).collect()
     }
 
     /// Whether there is a path at all: what is clear at any level is clear at the highest.

@@ -28,21 +28,23 @@ pub(crate) fn feasible_clearance(
     budget: &Budget,
     stats: &mut Stats,
 ) -> FeasibleClearance {
-    bisected(scene, query, budget, stats).unwrap_or(FeasibleClearance::Unknown)
-}
-
-fn bisected(
-    scene: &Scene,
-    query: &RapidMove,
-    budget: &Budget,
-    stats: &mut Stats,
-) -> Result<FeasibleClearance, Interrupt> {
-    let most = largest_clearance(scene);
-    let mut is_feasible = |by_mm: f64| -> Result<bool, Interrupt> {
-        let scene = lowered(scene, by_mm);
-        let barriers = Barriers::new(&scene, budget)?;
+    let mut has_path = |scene: &Scene| {
+        let barriers = Barriers::new(scene, budget)?;
         AtClearance::new(&barriers, query, budget, &mut MeetingBarriers).has_path(stats)
     };
+    most_feasible(scene, &mut has_path).unwrap_or(FeasibleClearance::Unknown)
+}
+
+/// The most that all clearances may keep for `holds` to hold of the scene.
+///
+/// # Errors
+/// The budget ended.
+pub(crate) fn most_feasible(
+    scene: &Scene,
+    holds: &mut dyn FnMut(&Scene) -> Result<bool, Interrupt>,
+) -> Result<FeasibleClearance, Interrupt> {
+    let most = largest_clearance(scene);
+    let mut is_feasible = |by_mm: f64| holds(&lowered(scene, by_mm));
     if most == 0.0 || !is_feasible(most)? {
         return Ok(FeasibleClearance::None);
     }

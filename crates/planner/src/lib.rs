@@ -60,6 +60,7 @@ mod separating;
 mod shortest_route;
 mod standing;
 mod supporting_lines;
+mod tool_change;
 mod trace;
 mod way_out;
 
@@ -67,3 +68,4 @@ pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPla
 pub use prepared::{EditRefusal, PreparedScene};
 pub use price::travel_cost;
 pub use rapid_move::plan_rapid_move;
+pub use tool_change::{ToolChange, ToolChangeAnswer, ToolChangePlan, plan_tool_change};

@@ -2,7 +2,7 @@
 
 use crate::drive::SHORTEST_ARC_MM;
 use crate::search::Route;
-use traverse_geometry::{Path, Point};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Path, Point};
 
 /// The path that a route answers with. Costs the route's cost, but for rounding.
 pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {
@@ -22,4 +22,33 @@ pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {
     }
     path.line_to(target);
     path
+}
+
+/// Places along two paths at which they are compared.
+const COMPARED_PLACES: usize = 64;
+
+/// Whether two paths with the same ends run the same way, but for contact tolerances.
+pub(crate) fn is_same_way(one: &Path, other: &Path) -> bool {
+    let lengths = [one, other].map(Path::length);
+    if (lengths[0] - lengths[1]).abs() > 2.0 * CONTACT_TOLERANCE_MM {
+        return false;
+    }
+    let places = [one, other].map(places_along);
+    places[0].iter().zip(&places[1]).all(|(a, b)| (a - b).norm() <= 4.0 * CONTACT_TOLERANCE_MM)
+}
+
+/// Places along a path, as far from each other as the next.
+fn places_along(path: &Path) -> Vec<Point> {
+    let step = path.length() / COMPARED_PLACES as f64;
+    let mut places = Vec::with_capacity(COMPARED_PLACES);
+    let mut passed = 0.0;
+    for edge in path.edges() {
+        let length = Edge::length(&edge);
+        while places.len() < COMPARED_PLACES && (places.len() as f64 + 0.5) * step <= passed + length {
+            let along = (places.len() as f64 + 0.5) * step - passed;
+            places.push(edge.point_at(along / length));
+        }
+        passed += length;
+    }
+    places
 }

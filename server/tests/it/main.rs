@@ -17,4 +17,5 @@ mod request;
 mod rules;
 mod running;
 mod sections;
+mod tool_change;
 mod web;

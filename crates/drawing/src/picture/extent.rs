@@ -21,7 +21,9 @@ pub(super) fn of_scene(scene: &Scene, shown: &Shown<'_>) -> Bounds {
     let paths = shown.paths().iter().chain(shown.before());
     let steps = paths.flat_map(|path| path.edges().map(|edge| edge.bounds()));
     let ends = shown.ends().into_iter().map(|(start, target)| Bounds::of([start, target]));
-    work_area.chain(obstacles).chain(steps).chain(ends).fold(Bounds::EMPTY, Bounds::union)
+    let (regions, points) = shown.permitted();
+    let permitted = regions.iter().map(Polygon::bounds).chain(points.iter().map(|&p| Bounds::of([p])));
+    work_area.chain(obstacles).chain(steps).chain(ends).chain(permitted).fold(Bounds::EMPTY, Bounds::union)
 }
 
 /// Curves and the places of findings, as far as they can be drawn.

@@ -51,6 +51,10 @@ pub(super) fn draw<'a>(svg: &mut String, scene: &'a Scene, shown: &Shown<'_>, fr
             places.take(Box2::around(frame.place(*end), size * (MARK_RADIUS + 2.0)));
         }
     }
+    if let Some(place) = shown.place() {
+        places.take(Box2::around(frame.place(place), MARK_RADIUS + 2.0));
+        end_name(svg, &mut places, frame.place(place), "tool change", barrier);
+    }
     for (start, target) in ends.iter().filter(|_| ends.len() <= NAMED_MOVES) {
         for (end, name) in [(start, "start"), (target, "target")] {
             end_name(svg, &mut places, frame.place(*end), name, barrier);

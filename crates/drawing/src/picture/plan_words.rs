@@ -20,7 +20,23 @@ pub(super) fn header(scene: &Scene, shown: &Shown<'_>, title: &str) -> Header {
             .with_alert(&format!("no path: start and target are parted by {}", separating.join(", ")))
             .with(&clearance(scene)),
         Shown::Scene => header.with(&clearance(scene)),
-        Shown::Path(_) | Shown::Paths(_) => {
+        Shown::ToolChange { moves: [], separating, .. } => {
+            let why = match separating {
+                [] => "the work area's border or nothing permitted is in the way".to_owned(),
+                _ => format!("{} in the way", separating.join(", ")),
+            };
+            header.with_alert(&format!("no place for the tool change: {why}")).with(&clearance(scene))
+        }
+        Shown::ToolChange { moves, ends: (start, target), .. } => {
+            let place = shown.place().map_or_else(String::new, coordinates);
+            header.with(&format!(
+                "tool change at {place}: both moves {}, straight {}, {}",
+                millimetres(length(moves)),
+                millimetres((target - start).norm()),
+                clearance(scene)
+            ))
+        }
+        Shown::Path(_) | Shown::Paths(_) | Shown::Choice { .. } => {
             let straight: f64 = shown.ends().iter().map(|(start, target)| (target - start).norm()).sum();
             let (moves, length) = (moves(shown.paths().len()), length(shown.paths()));
             let level = shown.level().map_or_else(String::new, |z| format!(", at z = {}", millimetres(z)));
@@ -52,6 +68,9 @@ pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
         || scene.work_area.is_some() && scene.border_clearance() > 0.0;
     let passed = scene.obstacles.iter().any(|obstacle| shown.passes_over(scene, obstacle));
     let parted = matches!(shown, Shown::NoPath { .. });
+    let no_place = matches!(shown, Shown::ToolChange { moves: [], separating: [_, ..], .. });
+    let (regions, points) = shown.permitted();
+    let others = String::from(if matches!(shown, Shown::Choice { .. }) { "other ways" } else { "before" });
     let ends = shown.ends();
     let end_at = |name: &str, place: fn(&(Point, Point)) -> Point| match &ends[..] {
         [one] => format!("{name} {}", coordinates(place(one))),
@@ -63,8 +82,15 @@ pub(super) fn legend(scene: &Scene, shown: &Shown<'_>) -> Vec<(Sign, String)> {
         (passed, Sign::Field("obstacle passed"), String::from("passed over")),
         (barriers, Sign::Field("zone"), String::from("barrier")),
         (parted, Sign::Field("obstacle parts"), String::from("parts start from target")),
+        (no_place, Sign::Field("obstacle parts"), String::from("in the way")),
         (!shown.paths().is_empty(), Sign::Line("rapid"), String::from("rapid move")),
-        (!shown.before().is_empty(), Sign::Line("before"), String::from("before")),
+        (!shown.before().is_empty(), Sign::Line("before"), others),
+        (
+            !regions.is_empty() || !points.is_empty(),
+            Sign::Field("region"),
+            String::from("tool change permitted"),
+        ),
+        (shown.place().is_some(), Sign::Place, String::from("tool change")),
         (parted, Sign::Line("wish"), String::from("wanted")),
         (!ends.is_empty(), Sign::Start, end_at("start", |ends| ends.0)),
         (!ends.is_empty(), Sign::Target, end_at("target", |ends| ends.1)),

@@ -1,6 +1,6 @@
 //! What a picture of a plan shows besides the scene.
 
-use traverse_geometry::{Obstacle, Path, Point, Ring, Scene};
+use traverse_geometry::{Obstacle, Path, Point, Polygon, Ring, Scene};
 
 /// What comes nearer than the clearance by less than this touches the barrier, millimetres.
 const TOUCH_MM: f64 = 1e-3;
@@ -21,6 +21,26 @@ pub enum Shown<'a> {
         /// As they are: drawn as a plan.
         after: &'a [Path],
     },
+    /// A path, and other ways from its start to its target: drawn thin and grey.
+    Choice {
+        /// The path.
+        path: &'a Path,
+        /// The other ways.
+        others: &'a [Path],
+    },
+    /// Where the tool is changed, and where it may be.
+    ToolChange {
+        /// Where it may be changed.
+        regions: &'a [Polygon],
+        /// Where else.
+        points: &'a [Point],
+        /// Start and target.
+        ends: (Point, Point),
+        /// The moves to the place and on; empty: there is no place.
+        moves: &'a [Path],
+        /// Ids of the obstacles that keep start or target from every place.
+        separating: &'a [String],
+    },
     /// That there is no path: the obstacles that part start from target stand out.
     NoPath {
         /// Where the tool is.
@@ -36,16 +56,18 @@ impl<'a> Shown<'a> {
     /// The moves as they are.
     pub(super) fn paths(&self) -> &'a [Path] {
         match *self {
-            Self::Path(path) => std::slice::from_ref(path),
-            Self::Paths(paths) | Self::Change { after: paths, .. } => paths,
+            Self::Path(path) | Self::Choice { path, .. } => std::slice::from_ref(path),
+            Self::Paths(paths)
+            | Self::Change { after: paths, .. }
+            | Self::ToolChange { moves: paths, .. } => paths,
             Self::Scene | Self::NoPath { .. } => &[],
         }
     }
 
-    /// The moves as they were.
+    /// The moves as they were, or as they could be: drawn thin.
     pub(super) fn before(&self) -> &'a [Path] {
         match *self {
-            Self::Change { before, .. } => before,
+            Self::Change { before: paths, .. } | Self::Choice { others: paths, .. } => paths,
             _ => &[],
         }
     }
@@ -53,7 +75,9 @@ impl<'a> Shown<'a> {
     /// Start and target of each move.
     pub(super) fn ends(&self) -> Vec<(Point, Point)> {
         match *self {
-            Self::NoPath { start, target, .. } => vec![(start, target)],
+            Self::NoPath { start, target, .. } | Self::ToolChange { ends: (start, target), .. } => {
+                vec![(start, target)]
+            }
             _ => self.paths().iter().map(|path| (path.start, path.end())).collect(),
         }
     }
@@ -87,6 +111,27 @@ impl<'a> Shown<'a> {
 
     /// Whether the obstacle parts start from target.
     pub(super) fn parts(&self, id: &str) -> bool {
-        matches!(self, Self::NoPath { separating, .. } if separating.iter().any(|each| each == id))
+        match self {
+            Self::NoPath { separating, .. } | Self::ToolChange { separating, .. } => {
+                separating.iter().any(|each| each == id)
+            }
+            _ => false,
+        }
+    }
+
+    /// Where the tool may be changed: regions and points.
+    pub(super) fn permitted(&self) -> (&'a [Polygon], &'a [Point]) {
+        match *self {
+            Self::ToolChange { regions, points, .. } => (regions, points),
+            _ => (&[], &[]),
+        }
+    }
+
+    /// Where the tool is changed.
+    pub(super) fn place(&self) -> Option<Point> {
+        match *self {
+            Self::ToolChange { moves, .. } => moves.first().map(Path::end),
+            _ => None,
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The signs of the legend.
 
+use super::change_place::place_mark;
 use super::layer_style::LayerStyle;
 use super::markers::{Kind, disc};
 use super::route::{MARK_RADIUS, start_mark, target_mark};
@@ -23,6 +24,8 @@ pub(super) enum Sign {
     Start,
     /// The mark of target.
     Target,
+    /// The mark of the place where the tool is changed.
+    Place,
     /// A loose end.
     LooseEnd,
     /// A finding's number.
@@ -32,7 +35,7 @@ pub(super) enum Sign {
 impl Sign {
     pub(super) fn width(self) -> f64 {
         match self {
-            Self::Start | Self::Target | Self::Marker(_) => 2.0 * MARK_RADIUS + 4.0,
+            Self::Start | Self::Target | Self::Place | Self::Marker(_) => 2.0 * MARK_RADIUS + 4.0,
             Self::LooseEnd => 14.0,
             _ => SIGN,
         }
@@ -58,6 +61,7 @@ impl Sign {
             }
             Self::Start => start_mark(svg, middle, y, 1.0),
             Self::Target => target_mark(svg, middle, y, 1.0),
+            Self::Place => place_mark(svg, middle, y),
             Self::LooseEnd => super::gap::loose_end(svg, (middle, y)),
             Self::Marker(kind) => disc(svg, kind, (middle, y), "1"),
         }

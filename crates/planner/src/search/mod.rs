@@ -5,10 +5,12 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod alternatives;
 mod bundles;
 mod circles;
 mod departure;
 mod end;
+mod fan;
 mod ground;
 mod known;
 mod label;
@@ -20,10 +22,15 @@ mod shortest;
 mod stance;
 mod successors;
 mod tangent;
+mod trail;
 mod tree;
 
+pub(crate) use alternatives::locally_shortest;
 pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
+#[cfg(test)]
+pub(crate) use fan::Turn;
+pub(crate) use fan::{Aim, Bend, Fan};
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;

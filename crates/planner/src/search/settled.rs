@@ -5,6 +5,9 @@ use crate::barrier::Side;
 /// Costs that differ by less than this are equal, millimetres or seconds: rounding, far below what is promised.
 const COST_TOLERANCE: f64 = 1e-12;
 
+/// Offsets that differ by less than this may be the same, radians: above every rounding.
+const OFFSET_TOLERANCE: f64 = 1e-6;
+
 /// Where on which feature, as far as labels can be compared: on one side, within one free stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lane {
@@ -50,6 +53,15 @@ impl Settled {
     /// The same for clearly less than `cost`.
     pub(super) fn beats(&self, lane: Lane, offset: f64, cost: f64, arc: impl Fn(f64) -> f64) -> bool {
         self.any(lane, offset, arc, |paid| paid < cost - COST_TOLERANCE)
+    }
+
+    /// The least cost of a settled label at `offset` after it went on along the arc of `radius`; stretches are not told
+    /// apart, and one that lies ahead by less than [`OFFSET_TOLERANCE`] counts as well.
+    pub(super) fn least(&self, feature: u32, side: Side, radius: f64, offset: f64) -> Option<f64> {
+        let settled = self.0.get(feature as usize)?[side as usize].iter();
+        let turned = settled.map(|paid| (paid.cost, (offset - paid.offset) * side.sign()));
+        let behind = turned.filter(|&(_, turn)| turn >= -OFFSET_TOLERANCE);
+        behind.map(|(cost, turn)| cost + radius * turn.max(0.0)).min_by(f64::total_cmp)
     }
 
     fn any(&self, lane: Lane, offset: f64, arc: impl Fn(f64) -> f64, holds: impl Fn(f64) -> bool) -> bool {

@@ -22,7 +22,7 @@ use std::ops::Range;
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// Most labels of one search: about 60 MB. Giving back more would take longer than a cancelled call may go on.
-const LABEL_LIMIT: usize = 1_000_000;
+pub(super) const LABEL_LIMIT: usize = 1_000_000;
 
 /// The budget is looked at once for so many features.
 const FEATURES_BETWEEN_CHECKS: usize = 256;
@@ -35,7 +35,7 @@ const STANCES_BETWEEN_CHECKS: u32 = 256;
 
 /// A search under way.
 pub(crate) struct Search<'a, M = Length> {
-    tree: Tree<'a, M>,
+    pub(super) tree: Tree<'a, M>,
     pub(crate) known: Known<'a>,
     /// No path costs less.
     pub(crate) lower_bound: f64,
@@ -97,7 +97,7 @@ impl<'a, M: Measure> Search<'a, M> {
     }
 
     /// Offers a stance the features of some bundles, and what its own goes over into, as far as it is among `features`.
-    fn connect(
+    pub(super) fn connect(
         &mut self,
         stance: u32,
         features: &Range<usize>,
@@ -135,7 +135,7 @@ impl<'a, M: Measure> Search<'a, M> {
     }
 
     /// Whether nothing is in the way of the straight move that leads to the label. Meets what is.
-    fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
+    pub(super) fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
         let Some(leg) = self.tree.leg(&self.known, label) else { return Ok(true) };
         match self.known.way(leg.planned.from, leg.planned.to) {
             Way::Free => match self.tree.measure.cramped_by(leg.planned.from, leg.planned.to) {
@@ -155,7 +155,7 @@ impl<'a, M: Measure> Search<'a, M> {
     }
 
     /// Meets the barriers that block the feature's arc.
-    fn meet_beside(&mut self, feature: u32, budget: &Budget) -> Result<(), Interrupt> {
+    pub(super) fn meet_beside(&mut self, feature: u32, budget: &Budget) -> Result<(), Interrupt> {
         if self.known.knows_stretches(feature) {
             return Ok(());
         }
@@ -168,7 +168,7 @@ impl<'a, M: Measure> Search<'a, M> {
     }
 
     /// Meets a barrier and offers its features to every stance.
-    fn meet(&mut self, owner: usize, budget: &Budget) -> Result<(), Interrupt> {
+    pub(super) fn meet(&mut self, owner: usize, budget: &Budget) -> Result<(), Interrupt> {
         let met = self.known.meet(owner, budget)?;
         let is_small = met.features.len() <= SMALL_BARRIER && !met.has_same_circles;
         for stance in 0..self.tree.stances.len() as u32 {

@@ -84,6 +84,11 @@ impl<'a, M: Measure> Tree<'a, M> {
         Some((f64::from_bits(estimate), self.labels[index as usize]))
     }
 
+    /// The lowest estimate of an open label.
+    pub(crate) fn lowest_estimate(&self) -> Option<f64> {
+        self.open.peek().map(|(Reverse(estimate), _)| f64::from_bits(*estimate))
+    }
+
     /// Adds a label whose place on the answered path is `at`, unless it is served.
     pub(super) fn push(&mut self, ground: &impl Ground, label: Label, at: Point) {
         if !self.is_served(ground, &label) {
@@ -101,6 +106,15 @@ impl<'a, M: Measure> Tree<'a, M> {
     /// Looks into a label that is free: from now on its lane is settled. None at the target, or where its arc is
     /// blocked.
     pub(super) fn stand(&mut self, ground: &impl Ground, label: &Label) -> Option<u32> {
+        let stance = self.stand_unsettled(ground, label)?;
+        if let From::Feature(departure) = &self.stances[stance as usize].from {
+            self.settled.add(departure.lane, label.offset, label.cost);
+        }
+        Some(stance)
+    }
+
+    /// The same, without a word to other labels of the lane.
+    pub(super) fn stand_unsettled(&mut self, ground: &impl Ground, label: &Label) -> Option<u32> {
         let (from, ahead) = match label.place {
             Place::Target(_) => return None,
             Place::Start(place) => {
@@ -109,7 +123,6 @@ impl<'a, M: Measure> Tree<'a, M> {
             }
             Place::Feature(_, side) => {
                 let departure = self.departure(ground, label)?;
-                self.settled.add(departure.lane, label.offset, label.cost);
                 (From::Feature(departure), (side, Sector::ahead(&departure)))
             }
         };
@@ -137,11 +150,22 @@ impl<'a, M: Measure> Tree<'a, M> {
         let from = &self.stances[label.parent as usize].from;
         match label.place {
             Place::Start(_) => None,
-            Place::Feature(feature, side) => from.leg_to(ground.feature(feature), side, self.start.point),
+            Place::Feature(feature, side) => self.leg_to(ground, from, feature, side),
             Place::Target(place) => {
                 from.leg_to_end(self.target.places[place as usize], self.target.point, self.start.point)
             }
         }
+    }
+
+    /// Straight to a feature, which lies on `side`: along the border where that leads there.
+    pub(super) fn leg_to(&self, ground: &impl Ground, from: &From, feature: u32, side: Side) -> Option<Leg> {
+        if let From::Feature(departure) = from
+            && departure.lane.side == side
+            && let Some(along) = ground.along_border(departure.lane.feature, feature, side)
+        {
+            return Some(Leg::as_planned(along));
+        }
+        from.leg_to(ground.feature(feature), side, self.start.point)
     }
 
     /// Outward direction of a label's feature on the answered path at arrival.

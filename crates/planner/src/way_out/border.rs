@@ -49,6 +49,22 @@ pub(crate) fn pieces_near(legal: &Legal<'_>, within: f64, budget: &Budget) -> Re
     Ok(pieces)
 }
 
+/// Adds the border of one ring's barrier at the clearance that is asked for; at 0 the ring itself.
+///
+/// # Errors
+/// The budget ended.
+pub(crate) fn barrier_border(
+    outline: &Outline<'_>,
+    edges: &mut Vec<Edge>,
+    budget: &Budget,
+) -> Result<(), Interrupt> {
+    if outline.clearance.asked == 0.0 {
+        edges.extend(outline.ring.edges());
+        return Ok(());
+    }
+    add_border(outline, edges, budget)
+}
+
 /// Adds the border of one ring's barrier: parallels of its edges, and what lies round its corners.
 fn add_border(outline: &Outline<'_>, edges: &mut Vec<Edge>, budget: &Budget) -> Result<(), Interrupt> {
     let clearance = outline.clearance;

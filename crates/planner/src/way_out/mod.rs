@@ -19,7 +19,8 @@ mod candidates;
 mod legal;
 
 use crate::barriers::Barriers;
-use border::{crossings_with_ray, pieces_near};
+use border::pieces_near;
+pub(crate) use border::{barrier_border, crossings, crossings_with_ray};
 use candidates::{feet, further};
 use legal::Legal;
 use std::collections::BTreeSet;

@@ -14,10 +14,12 @@ mod rules;
 mod scene;
 mod section;
 mod shape;
+mod tool_change;
 
 pub use check::CheckQuestion;
 pub use check_sections::{CheckSectionsQuestion, order_from_wire};
-pub use effort::requested_time_limit;
+pub use effort::{requested_time_limit, rules_time_limit};
 pub use order::{OrderQuestion, OrderReturns, requested_order_time_limit};
 pub use path::path_from_wire;
 pub use plan::PlanQuestion;
+pub use tool_change::ToolChangeQuestion;

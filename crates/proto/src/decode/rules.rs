@@ -3,11 +3,16 @@
 use super::cost::cost;
 use super::reader::Reader;
 use crate::v1;
-use traverse_geometry::{EndRule, HeightRule, RapidRules, Vector};
+use traverse_geometry::{ALTERNATIVE_LIMIT, EndRule, HeightRule, RapidRules, Vector};
 
 impl Reader<'_> {
     /// Rules for costs, heights, clearances and ends; what is wrong with them is reported.
     pub(crate) fn rules(&mut self, field: &str, rules: v1::RapidRules) -> RapidRules {
+        let alternative_count = usize::try_from(rules.alternative_count).unwrap_or_else(|_| {
+            let field = format!("{field}.alternative_count");
+            self.out_of_range(&field, rules.alternative_count, &format!("0 to {ALTERNATIVE_LIMIT}"));
+            0
+        });
         let rules = RapidRules {
             cost: cost(rules.cost),
             motion: self.motion(&format!("{field}.motion"), rules.motion),
@@ -21,6 +26,7 @@ impl Reader<'_> {
             clearances_mm: rules.clearances_mm.into_iter().map(|mm| mm + 0.0).collect(),
             leave: end_rule(rules.leave),
             enter: end_rule(rules.enter),
+            alternative_count,
         };
         self.report_under(field, rules.findings());
         rules

@@ -30,7 +30,7 @@ pub fn check_request(request: v1::PlanRapidMoveRequest, path: &Path) -> v1::Chec
     v1::CheckRapidMoveRequest { request: Some(request), path: Some(path::path(path)), tolerance_mm: None }
 }
 
-fn rules(rules: &RapidRules) -> v1::RapidRules {
+pub(super) fn rules(rules: &RapidRules) -> v1::RapidRules {
     v1::RapidRules {
         cost: cost(&rules.cost),
         motion: match rules.motion {
@@ -52,6 +52,7 @@ fn rules(rules: &RapidRules) -> v1::RapidRules {
         clearances_mm: rules.clearances_mm.clone(),
         leave: end_rule(rules.leave),
         enter: end_rule(rules.enter),
+        alternative_count: i32::try_from(rules.alternative_count).unwrap_or(i32::MAX),
         ..Default::default()
     }
 }
@@ -86,7 +87,7 @@ fn end_rule(rule: EndRule) -> Option<v1::EndRule> {
     Some(v1::EndRule { rule: Some(rule) })
 }
 
-fn scene(scene: &Scene) -> v1::Scene {
+pub(super) fn scene(scene: &Scene) -> v1::Scene {
     let (corner_style, miter_limit) = match scene.corner_style {
         CornerStyle::Round => (v1::CornerStyle::Round, None),
         CornerStyle::Miter { limit } => (v1::CornerStyle::Miter, limit),
