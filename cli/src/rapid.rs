@@ -8,7 +8,7 @@ use std::path::Path as FilePath;
 use std::time::Duration;
 use traverse_drawing::{Machine, Shown, picture_of_plan, write_dxf, write_gcode};
 use traverse_geometry::{HeightRule, Path, RapidRules, Scene};
-use traverse_planner::{Algorithm, RapidMove};
+use traverse_planner::{Algorithm, RapidMove, as_run};
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::{path_from_wire, plan_request, v1};
 
@@ -46,7 +46,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         match kind_of(output)? {
             Output::Json => input::write(output, &text)?,
             Output::Picture(kind) => {
-                let svg = picture(&scene, &request, &answer, &title)?;
+                let svg = picture(&scene, &request, &query.rules, &answer, &title)?;
                 write_picture(output, kind, &svg, arguments.width)?;
             }
             Output::Drawing | Output::Program => {
@@ -136,10 +136,11 @@ pub(crate) fn kind_of(path: &FilePath) -> Result<Output, Failure> {
     }
 }
 
-/// The answer as a picture.
+/// The answer as a picture, dog-legs as they are run.
 pub(crate) fn picture(
     scene: &Scene,
     request: &v1::PlanRapidMoveRequest,
+    rules: &RapidRules,
     answer: &v1::PlanRapidMoveResponse,
     title: &str,
 ) -> Result<String, Failure> {
@@ -150,7 +151,7 @@ pub(crate) fn picture(
         Some(Outcome::Plan(plan)) => {
             let path = path_of(answer)?.unwrap_or_else(|| Path::at(point(&request.start)));
             let scene = Scene { clearance_mm: plan.clearance_mm, ..scene.clone() };
-            picture_of_plan(&scene, Shown::Path(&path), title)
+            picture_of_plan(&scene, Shown::Path(&as_run(&path, rules)), title)
         }
         Some(Outcome::NoPath(no_path)) => {
             let shown = Shown::NoPath {
