@@ -54,8 +54,15 @@ pub mod v1 {
 pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/traverse.bin"));
 
 pub use count::check_counts;
-pub use decode::{CheckQuestion, PlanQuestion, path_from_wire, requested_time_limit};
-pub use encode::{check_answer, check_request, plan_answer, plan_request, sound_answer};
+pub use decode::{
+    CheckQuestion, CheckSectionsQuestion, OrderQuestion, OrderReturns, PlanQuestion, order_from_wire,
+    path_from_wire, requested_order_time_limit, requested_time_limit,
+};
+pub use encode::{
+    CountedLimit, Improvement, SearchFacts, check_answer, check_request, check_sections_answer,
+    check_sections_request, order_answer, order_request, plan_answer, plan_request, sound_answer,
+    sound_order_answer,
+};
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;
 pub use refused::{REASONS, Refused};

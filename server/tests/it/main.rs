@@ -16,4 +16,5 @@ mod log;
 mod request;
 mod rules;
 mod running;
+mod sections;
 mod web;

@@ -30,6 +30,13 @@ pub(super) struct Leg {
     pub(super) length: f64,
 }
 
+impl Leg {
+    /// A move that is answered as it is planned.
+    pub(super) fn as_planned(planned: Tangent) -> Self {
+        Self { planned, normal: planned.normal, length: planned.length }
+    }
+}
+
 impl From {
     /// Straight to `circle`, which lies on `side`, for a path from `start`.
     pub(super) fn leg_to(&self, circle: &Feature, side: Side, start: Point) -> Option<Leg> {

@@ -58,6 +58,7 @@ impl<'a, M: Measure> Tree<'a, M> {
     }
 
     /// Gives its memory back, empty.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(crate) fn into_room(self) -> Room {
         let Self { mut labels, mut stances, mut ahead, mut open, mut settled, .. } = self;
         for stance in &stances {
@@ -81,11 +82,6 @@ impl<'a, M: Measure> Tree<'a, M> {
     pub(crate) fn pop(&mut self) -> Option<(f64, Label)> {
         let (Reverse(estimate), index) = self.open.pop()?;
         Some((f64::from_bits(estimate), self.labels[index as usize]))
-    }
-
-    /// The lowest estimate of an open label.
-    pub(crate) fn lowest_estimate(&self) -> Option<f64> {
-        self.open.peek().map(|(Reverse(estimate), _)| f64::from_bits(*estimate))
     }
 
     /// Adds a label whose place on the answered path is `at`, unless it is served.

@@ -110,7 +110,7 @@ fn obstacle(obstacle: &Obstacle) -> v1::Obstacle {
     }
 }
 
-fn polygon(polygon: &Polygon) -> v1::Polygon {
+pub(super) fn polygon(polygon: &Polygon) -> v1::Polygon {
     v1::Polygon { outer: Some(ring(polygon.outer())), holes: polygon.holes().iter().map(ring).collect() }
 }
 
