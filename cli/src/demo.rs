@@ -173,7 +173,7 @@ async fn show(
     };
     let title = format!("{}: {}", wanted.drawing, wanted.name.replace('-', " "));
     let file = arguments.out.join(format!("{}.svg", wanted.name));
-    input::write(&file, picture(&scene, &request, &answer, &title)?)?;
+    input::write(&file, picture(&scene, &request, &RapidRules::default(), &answer, &title)?)?;
     Ok(row(wanted, &scene, &answer, checked, call))
 }
 

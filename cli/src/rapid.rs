@@ -8,7 +8,7 @@ use std::path::Path as FilePath;
 use std::time::Duration;
 use traverse_drawing::{Machine, Shown, picture_of_plan, write_dxf, write_gcode};
 use traverse_geometry::{HeightRule, Path, RapidRules, Scene};
-use traverse_planner::{Algorithm, RapidMove};
+use traverse_planner::{Algorithm, RapidMove, as_run};
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::{path_from_wire, plan_request, v1};
 
@@ -46,7 +46,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         match kind_of(output)? {
             Output::Json => input::write(output, &text)?,
             Output::Picture(kind) => {
-                let svg = picture(&scene, &request, &answer, &title)?;
+                let svg = picture(&scene, &request, &query.rules, &answer, &title)?;
                 write_picture(output, kind, &svg, arguments.width)?;
             }
             Output::Drawing | Output::Program => {
@@ -143,10 +143,11 @@ pub(crate) fn kind_of(path: &FilePath) -> Result<Output, Failure> {
     }
 }
 
-/// The answer as a picture.
+/// The answer as a picture, dog-legs as they are run.
 pub(crate) fn picture(
     scene: &Scene,
     request: &v1::PlanRapidMoveRequest,
+    rules: &RapidRules,
     answer: &v1::PlanRapidMoveResponse,
     title: &str,
 ) -> Result<String, Failure> {
@@ -163,6 +164,8 @@ pub(crate) fn picture(
                 let others = plan.alternatives.iter().cloned().map(path_from_wire);
                 others.collect::<Result<_, _>>().map_err(|refused| Failure::Internal(refused.message()))?
             };
+            let path = as_run(&path, rules);
+            let others: Vec<Path> = others.iter().map(|other| as_run(other, rules)).collect();
             let shown = match others.is_empty() {
                 true => Shown::Path(&path),
                 false => Shown::Choice { path: &path, others: &others },
