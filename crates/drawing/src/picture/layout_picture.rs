@@ -12,7 +12,7 @@ use super::text::{Weight, escaped, fitted, millimetres, width_of};
 use super::text_line::push_text;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use traverse_geometry::{Bounds, Motion, PlacedSection, Point, Pose, SectionLayout, Vector};
+use traverse_geometry::{Bounds, Motion, PlacedSection, Point, Pose, Section, SectionLayout, Vector};
 
 /// A layout to be shown.
 #[derive(Clone, Copy, Debug)]
@@ -154,7 +154,7 @@ fn length_of(layout: &SectionLayout, order: &[PlacedSection]) -> f64 {
 
 /// The heights that all sections and the strip take; x is not used.
 fn heights(layout: &SectionLayout) -> Bounds {
-    let all = layout.sections.iter().map(|section| section.bounds()).fold(Bounds::EMPTY, Bounds::union);
+    let all = layout.sections.iter().map(Section::bounds).fold(Bounds::EMPTY, Bounds::union);
     match layout.strip_height_mm {
         Some(height) if !all.is_empty() && height > all.size().y => {
             Bounds { max: Point::new(all.max.x, all.min.y + height), ..all }

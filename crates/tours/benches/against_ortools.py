@@ -3,7 +3,7 @@
 
     pip install ortools
     cargo build --release
-    crates/tours/benches/ortools.py --time 10 FILE.atsp … [--binary target/release/traverse] [--optima optima.json]
+    crates/tours/benches/against_ortools.py --time 10 FILE.atsp … [--binary target/release/traverse] [--optima optima.json]
 
 Each file goes to both, one after the other, each on one thread for the same time. `traverse` may end earlier, when it has a
 proof. Prints one row for each file, and how often each was better. Matrices have to be explicit and full (.atsp); .sop files
