@@ -71,7 +71,11 @@ mod tests {
                 improvements.better_cost(f64::from(count - i));
             }
             let list = improvements.thinned();
-            assert!(list.len() <= MOST && list.len() >= (count as usize).min(MOST / 2), "{count}: {}", list.len());
+            assert!(
+                list.len() <= MOST && list.len() >= (count as usize).min(MOST / 2),
+                "{count}: {}",
+                list.len()
+            );
             assert_eq!(list.last().and_then(|last| last.cost), Some(1.0));
             assert!(list.is_sorted_by(|a, b| a.cost > b.cost && a.after <= b.after));
         }

@@ -42,7 +42,9 @@ pub(crate) fn order(
     question.options.threads = question.options.threads.clamp(1, config.workers.max(1));
     let begun = Instant::now();
     let joins = match question.returns.joins {
-        true => Some(engines.section_joins(&question, budget).map_err(|why| Refused::interrupted(why, None))?),
+        true => {
+            Some(engines.section_joins(&question, budget).map_err(|why| Refused::interrupted(why, None))?)
+        }
         false => None,
     };
     let searched = Budget {
@@ -57,7 +59,8 @@ pub(crate) fn order(
         return Err(refused);
     }
     let outcome = if answer.plan.is_some() { "plan" } else { "no_order" };
-    let facts = SearchFacts { duration: begun.elapsed(), time_limit: limit, improvements: improvements.thinned() };
+    let facts =
+        SearchFacts { duration: begun.elapsed(), time_limit: limit, improvements: improvements.thinned() };
     Ok((order_answer(&question, &answer, joins.as_ref(), &facts), outcome))
 }
 

@@ -5,5 +5,7 @@ mod from_drawing;
 mod part_set;
 
 pub use blocks::{BlockRules, build_blocks};
-pub use from_drawing::{SectionOptions, SectionsBy, SectionsError, SectionsFromDrawing, sections_from_drawing};
+pub use from_drawing::{
+    SectionOptions, SectionsBy, SectionsError, SectionsFromDrawing, sections_from_drawing,
+};
 pub use part_set::{PartSet, PartSetError, Piece, read_part_set};

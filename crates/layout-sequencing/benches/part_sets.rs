@@ -68,7 +68,9 @@ fn arguments() -> Arguments {
 
 fn main() {
     let arguments = arguments();
-    println!("| sections | poses | length, boxes = 100 | as sent | bound | gap, mean | gap, worst | proven | seconds, mean |");
+    println!(
+        "| sections | poses | length, boxes = 100 | as sent | bound | gap, mean | gap, worst | proven | seconds, mean |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|");
     let turns = [Pose::AsIs, Pose::HalfTurn];
     let rows: [(usize, &str, &[Pose]); 6] = [
@@ -83,7 +85,8 @@ fn main() {
         if arguments.only.is_some_and(|only| only != number) {
             continue;
         }
-        let (mut length, mut sent, mut bound, mut gaps, mut proven, mut seconds) = (0.0, 0.0, 0.0, vec![], 0, 0.0);
+        let (mut length, mut sent, mut bound, mut gaps, mut proven, mut seconds) =
+            (0.0, 0.0, 0.0, vec![], 0, 0.0);
         for file in &arguments.files {
             let Ok(bytes) = std::fs::read(file) else { continue };
             let Ok(set) = read_part_set(&bytes) else { continue };

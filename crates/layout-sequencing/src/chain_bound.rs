@@ -34,7 +34,8 @@ pub(crate) fn chain_bound(
     // Interrupted or not, the best chain so far counts.
     let _ = improve(instance, seed, &mut best, progress, budget);
     progress.raise_bound(best.1);
-    Some(best.0).filter(|members| members.iter().any(|member| !member) && members.iter().any(|&member| member))
+    Some(best.0)
+        .filter(|members| members.iter().any(|member| !member) && members.iter().any(|&member| member))
 }
 
 fn improve(

@@ -118,7 +118,8 @@ impl Completion {
         let widths: Vec<i32> = instance.items.iter().map(|item| entry(item.width)).collect();
         let joined = |at: usize| {
             let (left, right) = (at / items, at % items);
-            let allowed = !counts.whole || instance.may_join(instance.items[left].kind, instance.items[right].kind);
+            let allowed =
+                !counts.whole || instance.may_join(instance.items[left].kind, instance.items[right].kind);
             if allowed { entry(instance.offset(left, right)) } else { NONE }
         };
         let offsets: Vec<i32> = (0..items * items).map(joined).collect();
@@ -144,7 +145,10 @@ impl Completion {
                 for before in instance.kinds[kind].items.clone() {
                     let row = &offsets[before * items..][..items];
                     // Offsets may be below 0: what is not allowed stays so.
-                    let through = row.iter().zip(&next).map(|(&offset, &next)| if next == NONE { NONE } else { offset + next });
+                    let through = row
+                        .iter()
+                        .zip(&next)
+                        .map(|(&offset, &next)| if next == NONE { NONE } else { offset + next });
                     let shortest = through.fold(NONE, i32::min);
                     least[state * items + before] = shortest.max(widths[before]).min(NONE);
                 }

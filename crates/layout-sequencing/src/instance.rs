@@ -227,7 +227,8 @@ impl Instance {
     /// counts. Holds for both slide rules.
     pub(crate) fn chain_cost(&self, left: usize, right: usize) -> i64 {
         let width = self.items[self.kinds[left].items.start].width;
-        let pairs = self.kinds[left].items.clone().flat_map(|i| self.kinds[right].items.clone().map(move |j| (i, j)));
+        let pairs =
+            self.kinds[left].items.clone().flat_map(|i| self.kinds[right].items.clone().map(move |j| (i, j)));
         let least = pairs.map(|(i, j)| self.offset(i, j)).min().unwrap_or(0);
         least.max(-LARGEST_COST / 2) - width.min(LARGEST_COST / 2)
     }

@@ -23,7 +23,8 @@ fn layout() -> SectionLayout {
 
 fn found(layout: &SectionLayout, options: &OrderOptions) -> Vec<(String, Reason)> {
     let findings = layout_findings(layout, options, &Budget::unlimited()).unwrap();
-    let errors = order_sections(layout, options, &Budget { iterations: Some(10), ..Budget::unlimited() }, &mut Silent);
+    let errors =
+        order_sections(layout, options, &Budget { iterations: Some(10), ..Budget::unlimited() }, &mut Silent);
     assert_eq!(errors.err().unwrap_or_default(), findings);
     for Finding { message, .. } in &findings {
         assert!(message.chars().next().is_some_and(|first| !first.is_uppercase()), "{message}");
@@ -188,7 +189,9 @@ fn parts_that_overlap_inside_their_section_are_found() {
     };
     let squares = |x: f64, y: f64| refused(&pair(&square, &square, &[], Vector::new(x, y)));
     assert!(squares(0.0, 0.0) && squares(9.9, 9.9) && squares(-9.999, 0.0) && squares(1e-3, 3.0));
-    assert!(!squares(10.0, 0.0) && !squares(10.0, 10.0) && !squares(0.0, -10.0) && !squares(10.0 - 1e-7, 0.0));
+    assert!(
+        !squares(10.0, 0.0) && !squares(10.0, 10.0) && !squares(0.0, -10.0) && !squares(10.0 - 1e-7, 0.0)
+    );
     assert!(refused(&pair(&square, &cross, &[], Vector::zeros())));
     assert!(!refused(&pair(&square, &cross, &[], Vector::new(6.0, 0.0))));
     let circles = |x: f64, y: f64| refused(&pair(&circle, &circle, &[1.0, 1.0], Vector::new(x, y)));

@@ -104,8 +104,11 @@ fn what_was_placed_before_the_neighbour_holds_off_too() {
     };
     let mut high = block("high", 4.0, 10.0);
     high.parts[0].shape = traverse_geometry::Polygon::from_ring(
-        traverse_geometry::Ring::from_xy(&[0.0, 0.0, 4.0, 0.0, 4.0, 5.0, 30.0, 5.0, 30.0, 10.0, 0.0, 10.0], &[])
-            .unwrap(),
+        traverse_geometry::Ring::from_xy(
+            &[0.0, 0.0, 4.0, 0.0, 4.0, 5.0, 30.0, 5.0, 30.0, 10.0, 0.0, 10.0],
+            &[],
+        )
+        .unwrap(),
     );
     let layout = oracle::layout(vec![high, block("low", 10.0, 4.0), block("tall", 5.0, 10.0)]);
     let order: Vec<PlacedSection> =

@@ -68,7 +68,8 @@ fn every_method_gives_a_sound_layout_that_is_no_shorter_than_the_bound() {
         for algorithm in [Algorithm::BranchAndBound, Algorithm::AntColony, Algorithm::LocalImprovement] {
             for effect_model in [EffectModel::Exact, EffectModel::Published] {
                 let options = OrderOptions { algorithm, effect_model, ..permissive() };
-                let answer = ordered(&layout, &options, &Budget { iterations: Some(50_000), ..Budget::unlimited() });
+                let answer =
+                    ordered(&layout, &options, &Budget { iterations: Some(50_000), ..Budget::unlimited() });
                 let plan = answer.plan.unwrap();
                 assert_eq!(answer.algorithm, algorithm.name());
                 assert!(plan.length_mm >= best.lower_bound_mm - 1e-5, "{algorithm:?}");
@@ -92,11 +93,8 @@ fn a_given_order_is_evaluated_and_a_start_is_never_made_worse() {
             PlacedSection { section, copy, pose, x_mm: f64::NAN }
         })
         .to_vec();
-    let options = OrderOptions {
-        algorithm: Algorithm::GivenOrder,
-        initial_order: Some(order.clone()),
-        ..permissive()
-    };
+    let options =
+        OrderOptions { algorithm: Algorithm::GivenOrder, initial_order: Some(order.clone()), ..permissive() };
     let given = ordered(&layout, &options, &Budget::unlimited());
     let plan = given.plan.clone().unwrap();
     assert_eq!(plan.order, place(&layout, &order));
@@ -189,9 +187,13 @@ fn proven(layout: &SectionLayout, certificate: &BoundCertificate) -> f64 {
                     (None, Some(_)) => layout.first.is_none_or(|first| first == j).then_some(0.0),
                     (Some(left), None) => layout.last.is_none_or(|last| last == i).then(|| width(left)),
                     (Some(left), Some(right)) => {
-                        let forbidden = layout.forbidden_joins.contains(&(i, j)) || (i == j && left.quantity == 1);
+                        let forbidden =
+                            layout.forbidden_joins.contains(&(i, j)) || (i == j && left.quantity == 1);
                         let offset = |pair: (Pose, Pose)| {
-                            join((left, pair.0), (right, pair.1), layout.gap_mm).offset_mm.unwrap_or(0.0).max(0.0)
+                            join((left, pair.0), (right, pair.1), layout.gap_mm)
+                                .offset_mm
+                                .unwrap_or(0.0)
+                                .max(0.0)
                         };
                         let pairs = left.poses.iter().flat_map(|&a| right.poses.iter().map(move |&b| (a, b)));
                         (!forbidden).then(|| pairs.map(offset).fold(f64::INFINITY, f64::min))
@@ -206,8 +208,10 @@ fn proven(layout: &SectionLayout, certificate: &BoundCertificate) -> f64 {
                     assert!(duals.row_mm[i] + duals.column_mm[j] + weights <= cost + 2e-6, "{i} {j}");
                 }
             }
-            let quantity = |i: usize| layout.sections.get(i).map_or(1.0, |section| f64::from(section.quantity));
-            let duals_sum: f64 = (0..=count).map(|i| quantity(i) * (duals.row_mm[i] + duals.column_mm[i])).sum();
+            let quantity =
+                |i: usize| layout.sections.get(i).map_or(1.0, |section| f64::from(section.quantity));
+            let duals_sum: f64 =
+                (0..=count).map(|i| quantity(i) * (duals.row_mm[i] + duals.column_mm[i])).sum();
             duals_sum + duals.sets.iter().map(|set| set.1).sum::<f64>()
         }
     }

@@ -118,7 +118,8 @@ fn block(left: &mut Vec<Turned<'_>>, strip_height_mm: f64, rules: &BlockRules) -
             let Some(next) = left.iter().position(fits) else { break };
             let piece = left.remove(next);
             let size = piece.shape.bounds().size();
-            let at = |x: f64| Bounds { min: Point::new(x, floor), max: Point::new(x + size.x, floor + size.y) };
+            let at =
+                |x: f64| Bounds { min: Point::new(x, floor), max: Point::new(x + size.x, floor + size.y) };
             let shares_heights = |other: &&Bounds| {
                 other.min.y - rules.gap_mm < floor + size.y && floor - rules.gap_mm < other.max.y
             };

@@ -4,8 +4,8 @@
 //! inside are holes. Cost: n log n.
 
 use crate::{
-    Curve, Drawing, JOIN_TOLERANCE_MM, Layer, ObstacleRole, Roles, SceneError, SceneOptions, SceneReport, Selector,
-    scene_from_drawing,
+    Curve, Drawing, JOIN_TOLERANCE_MM, Layer, ObstacleRole, Roles, SceneError, SceneOptions, SceneReport,
+    Selector, scene_from_drawing,
 };
 use std::collections::BTreeMap;
 use traverse_geometry::{Motion, Part, Point, Polygon, Pose, Section};
@@ -77,8 +77,10 @@ impl SectionsFromDrawing {
 #[non_exhaustive]
 pub enum SectionsError {
     /// Nothing in it is a section.
-    #[error("the drawing holds no section: no closed outline in any {what}; group what belongs together, or choose \
-             another way with --sections")]
+    #[error(
+        "the drawing holds no section: no closed outline in any {what}; group what belongs together, or choose \
+             another way with --sections"
+    )]
     None {
         /// What was looked for.
         what: &'static str,
@@ -157,7 +159,10 @@ fn found_by(drawing: &Drawing, options: &SectionOptions) -> SectionsBy {
     }
     let used = |layer: &&Layer| layer.curves.iter().any(|curve| !is_ignored(options, &layer.name, curve));
     let has_group = |layer: &Layer| {
-        layer.curves.iter().any(|curve| !is_ignored(options, &layer.name, curve) && curve.source.drawn_group.is_some())
+        layer
+            .curves
+            .iter()
+            .any(|curve| !is_ignored(options, &layer.name, curve) && curve.source.drawn_group.is_some())
     };
     match drawing.layers.iter().filter(used).count() {
         _ if drawing.layers.iter().any(has_group) => SectionsBy::Group,
@@ -205,7 +210,12 @@ fn parts_of(
     options: &SectionOptions,
 ) -> Result<(Vec<Part>, SceneReport), SectionsError> {
     let alone = Drawing { layers, unused: Vec::new(), ..drawing.clone_without_curves() };
-    let roles = Roles { work_area: Vec::new(), parts: vec![Selector::new("*")], sections: Vec::new(), obstacles: Vec::new() };
+    let roles = Roles {
+        work_area: Vec::new(),
+        parts: vec![Selector::new("*")],
+        sections: Vec::new(),
+        obstacles: Vec::new(),
+    };
     let made = scene_from_drawing(&alone, &SceneOptions { roles, ..scene_options(options) })?;
     Ok((made.parts.into_iter().map(|part| at_pole(part.id, &part.shape)).collect(), made.report))
 }
@@ -280,5 +290,7 @@ fn is_copy(one: &Section, other: &Section) -> bool {
                     && a.bulges().iter().zip(b.bulges()).all(|(a, b)| (a - b).abs() <= 1e-9)
             })
     };
-    shift.y.abs() <= SAME_MM && one.parts.len() == other.parts.len() && one.parts.iter().zip(&other.parts).all(same)
+    shift.y.abs() <= SAME_MM
+        && one.parts.len() == other.parts.len()
+        && one.parts.iter().zip(&other.parts).all(same)
 }

@@ -44,7 +44,9 @@ pub enum PartSetError {
     #[error("the part set is longer than {BYTE_LIMIT} bytes; split it")]
     TooLong,
     /// No JSON of a part set.
-    #[error("this is no part set: {message}; send JSON with strip_height and items, each with demand and shape.data")]
+    #[error(
+        "this is no part set: {message}; send JSON with strip_height and items, each with demand and shape.data"
+    )]
     Malformed {
         /// What is wrong, and where.
         message: String,
@@ -102,14 +104,20 @@ pub fn read_part_set(bytes: &[u8]) -> Result<PartSet, PartSetError> {
     reader.end().map_err(|error| malformed(error.to_string()))?;
     let value = |field: &str, message: String| PartSetError::Value { field: field.to_owned(), message };
     if !(wire.strip_height.is_finite() && wire.strip_height > 0.0) {
-        return Err(value("strip_height", format!("{} is no height; send a number above 0", wire.strip_height)));
+        return Err(value(
+            "strip_height",
+            format!("{} is no height; send a number above 0", wire.strip_height),
+        ));
     }
     if wire.items.is_empty() {
         return Err(value("items", "there are none; send at least one".to_owned()));
     }
     let total: u64 = wire.items.iter().map(|item| u64::from(item.demand.unwrap_or(1))).sum();
     if total > PIECE_LIMIT {
-        return Err(value("items", format!("{total} pieces are wanted, at most {PIECE_LIMIT} can be; split the set")));
+        return Err(value(
+            "items",
+            format!("{total} pieces are wanted, at most {PIECE_LIMIT} can be; split the set"),
+        ));
     }
     let pieces = wire.items.into_iter().enumerate().map(|(index, item)| piece(index, item));
     let pieces: Vec<Piece> = pieces.collect::<Result<_, _>>()?;
