@@ -11,7 +11,18 @@ pub(crate) struct Piece {
     pub(crate) low: f64,
     pub(crate) high: f64,
     pub(crate) curve: Curve,
+    /// Whether it does not go on where the piece below it ends: then its lowest point is looked at, too.
+    pub(crate) jumps: bool,
 }
+
+impl Piece {
+    pub(crate) fn new(low: f64, high: f64, curve: Curve) -> Self {
+        Self { low, high, curve, jumps: true }
+    }
+}
+
+/// Pieces whose ends lie this near go on from one to the other, in parts of their x: rounding errors only.
+const SAME_X_RATIO: f64 = 1e-14;
 
 /// How far right something reaches at each height.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,7 +47,19 @@ impl Envelope {
         }
         let mut envelope = Self { pieces: runs.pop().unwrap_or_default() };
         envelope.insert_points(points);
+        envelope.note_jumps();
         envelope
+    }
+
+    fn note_jumps(&mut self) {
+        let mut before: Option<(f64, f64)> = None;
+        for piece in &mut self.pieces {
+            let x = piece.curve.x(piece.low);
+            piece.jumps = before.is_none_or(|(height, before)| {
+                height != piece.low || (before - x).abs() > SAME_X_RATIO * (x.abs() + 1.0)
+            });
+            before = Some((piece.high, piece.curve.x(piece.high)));
+        }
     }
 
     /// Single heights that reach further than everything else there are pieces of their own.
@@ -78,12 +101,11 @@ impl Envelope {
 
     /// The same upside down: what was at y is at `whole` − y.
     pub(crate) fn flipped(&self, whole: f64) -> Self {
-        let flipped = |piece: &Piece| Piece {
-            low: whole - piece.high,
-            high: whole - piece.low,
-            curve: piece.curve.flipped(whole),
-        };
-        Self { pieces: self.pieces.iter().rev().map(flipped).collect() }
+        let flipped =
+            |piece: &Piece| Piece::new(whole - piece.high, whole - piece.low, piece.curve.flipped(whole));
+        let mut envelope = Self { pieces: self.pieces.iter().rev().map(flipped).collect() };
+        envelope.note_jumps();
+        envelope
     }
 
     /// The lowest and the highest height; nothing when it is empty.
@@ -141,7 +163,7 @@ fn append(pieces: &mut Vec<Piece>, curve: Curve, low: f64, high: f64) {
     {
         last.high = high;
     } else if low < high {
-        pieces.push(Piece { low, high, curve });
+        pieces.push(Piece::new(low, high, curve));
     }
 }
 
@@ -151,7 +173,7 @@ mod tests {
     use traverse_geometry::Point;
 
     fn line(low: f64, high: f64, x_low: f64, x_high: f64) -> Piece {
-        Piece { low, high, curve: Curve::line(Point::new(x_low, low), Point::new(x_high, high)) }
+        Piece::new(low, high, Curve::line(Point::new(x_low, low), Point::new(x_high, high)))
     }
 
     #[test]

@@ -23,16 +23,16 @@ pub(crate) fn meeting(right: &Envelope, left: &Envelope) -> Option<Meeting> {
     let mut j = slides.partition_point(|piece| piece.high < first.low);
     while let (Some(a), Some(b)) = (stands.get(i), slides.get(j)) {
         best.meet(a, b);
-        if a.high < b.high {
-            i += 1;
-        } else if b.high < a.high {
-            j += 1;
-        } else {
+        let (a_ends, b_ends) = (a.high <= b.high, b.high <= a.high);
+        if a_ends && b_ends {
             // Both end here: what ends and what begins touch crosswise, too.
             if let Some(next) = slides.get(j + 1) {
                 best.meet(a, next);
             }
             i += 1;
+        } else {
+            i += usize::from(a_ends);
+            j += usize::from(b_ends);
         }
     }
     (best.offset > f64::NEG_INFINITY).then_some(best)
@@ -45,7 +45,10 @@ impl Meeting {
         if low > high {
             return;
         }
-        self.at(a, b, low);
+        // Where a piece goes on from the one below, its lowest point was looked at as the other's highest.
+        if (a.jumps && a.low == low) || (b.jumps && b.low == low) {
+            self.at(a, b, low);
+        }
         self.at(a, b, high);
         if let Some(y) = a.curve.crest(&b.curve)
             && low < y

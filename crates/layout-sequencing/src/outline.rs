@@ -47,7 +47,7 @@ impl Outline {
     }
 
     fn push(&mut self, low: f64, high: f64, curve: Curve) {
-        let piece = Piece { low, high, curve };
+        let piece = Piece::new(low, high, curve);
         if low < high {
             match self.runs.last_mut() {
                 Some(run) if run.last().is_some_and(|last| last.high == low) => run.push(piece),
@@ -65,7 +65,7 @@ impl Outline {
             self.push(start.y + by.y, end.y + by.y, curve);
         } else if along.y == 0.0 && self.gap == 0.0 && along.x != 0.0 {
             let tip = if along.x > 0.0 { end } else { start };
-            self.points.push(Piece { low: tip.y, high: tip.y, curve: Curve::Line { at: tip, slope: 0.0 } });
+            self.points.push(Piece::new(tip.y, tip.y, Curve::Line { at: tip, slope: 0.0 }));
         }
     }
 

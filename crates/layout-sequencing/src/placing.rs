@@ -42,6 +42,12 @@ impl Placing {
             }
             x = x.max(self.x[earlier] + instance.offset(sequence[earlier], item));
         }
+        self.push_at(instance, item, x);
+    }
+
+    /// The item at a place that is known.
+    #[inline]
+    pub(crate) fn push_at(&mut self, instance: &Instance, item: usize, x: i64) {
         let item = &instance.items[item];
         self.reach.push(self.reach.last().copied().unwrap_or(0).max(x + item.reach));
         self.end.push(self.end.last().copied().unwrap_or(0).max(x + item.width));

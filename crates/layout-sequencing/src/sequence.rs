@@ -193,11 +193,43 @@ impl<'a> Sequence<'a> {
     pub(crate) fn apply(&mut self, spans: &[Span]) {
         let kept = self.materialise(spans);
         std::mem::swap(&mut self.items, &mut self.tried);
-        self.placing.truncate(kept);
-        for at in kept..self.items.len() {
-            self.placing.push(self.instance, &self.items, at);
+        if self.instance.rule == SlideRule::Free {
+            self.placing.truncate(kept);
+            for at in kept..self.items.len() {
+                self.placing.push(self.instance, &self.items, at);
+            }
+        } else {
+            let before = self.placing.x.clone();
+            self.placing.truncate(kept);
+            for &span in spans {
+                match span {
+                    Span::New(_) => self.placing.push(self.instance, &self.items, self.placing.x.len()),
+                    // What stands as it was at the beginning is placed.
+                    Span::Old(0, to) if to == kept => {}
+                    Span::Old(from, to) => self.place_span(&before, from, to),
+                }
+            }
         }
         self.sum_up(kept);
+    }
+
+    /// Places a span of the sequence before: what shifts alike is not held against its neighbours again.
+    fn place_span(&mut self, before: &[i64], from: usize, to: usize) {
+        let mut steady: Option<(i64, i64)> = None;
+        for at in from..to {
+            let number = self.placing.x.len();
+            if let Some((shift, since)) = steady
+                && before[at - 1] - since >= self.instance.longest_reach
+            {
+                self.placing.push_at(self.instance, self.items[number], before[at] + shift);
+                continue;
+            }
+            self.placing.push(self.instance, &self.items, number);
+            let shift = self.placing.x[number] - before[at];
+            if steady.is_none_or(|(known, _)| known != shift) {
+                steady = Some((shift, before[at]));
+            }
+        }
     }
 
     /// Writes the new sequence into `tried`; how many items at its beginning are as they were.
