@@ -144,6 +144,24 @@ fn a_loop_that_crosses_itself_is_reported_with_its_place() {
 }
 
 #[test]
+fn circles_that_cross_are_siblings_even_where_one_is_drawn_twice() {
+    let disc = |x: f64| {
+        let ends = [Point::new(x - 5.0, 0.0), Point::new(x + 5.0, 0.0)];
+        Curve::new(ends.to_vec(), vec![1.0; 2], true)
+    };
+    // The middle of one lies in the other.
+    let made = scene(&[("A", &[disc(0.0), disc(0.0), disc(4.0)])], Roles::default()).unwrap();
+    assert_eq!(ids(&made), ["A/1", "A/2"]);
+    let crossing = made.report.findings.iter().filter(|finding| finding.fault == Fault::LoopsCross).count();
+    assert_eq!(crossing, 1, "{:?}", made.report.findings);
+    assert!(!made.report.findings.iter().any(|finding| matches!(finding.fault, Fault::CrossingLoops { .. })));
+    // A disc inside both is a hole of the smaller one around it, and no finding.
+    let lens = Curve::new(vec![Point::new(1.5, 0.0), Point::new(2.5, 0.0)], vec![1.0; 2], true);
+    let made = scene(&[("A", &[disc(0.0), disc(4.0), lens])], Roles::default()).unwrap();
+    assert_eq!(made.scene.obstacles.len(), 2);
+}
+
+#[test]
 fn loops_that_cross_are_solid_side_by_side() {
     // A bar from one arm of a C across its opening to the other: a point of it lies in an arm.
     let c = [

@@ -111,6 +111,7 @@ impl<'f> Explosion<'f> {
                     let mut outline = Outline {
                         map: &frame.map,
                         entity: name,
+                        line: entity.line,
                         layer: self.file.layers.name(layer),
                         tolerance_mm: self.options.fit_tolerance_mm,
                         budget: &mut self.budget,
@@ -120,6 +121,9 @@ impl<'f> Explosion<'f> {
                         Some(curve) => {
                             let source = self.source(entity, &groups, color)?;
                             self.keep(layer, Curve { source: Shared::new(source), ..curve });
+                            if let Some(why) = shape.not_shown() {
+                                self.count(layer, name, why);
+                            }
                         }
                     }
                 }
