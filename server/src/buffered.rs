@@ -67,7 +67,15 @@ impl Buffered {
 }
 
 impl Held {
-    fn grow(&mut self, by: usize) -> Result<(), Refused> {
+    /// What is held of so many bytes, to be given back by itself.
+    pub(crate) fn part(&mut self, bytes: usize) -> Self {
+        let bytes = bytes.min(self.bytes);
+        self.bytes -= bytes;
+        Self { of: self.of.clone(), bytes }
+    }
+
+    /// Holds more; what is refused is held until this is dropped.
+    pub(crate) fn grow(&mut self, by: usize) -> Result<(), Refused> {
         let before = self.of.used.fetch_add(by, Ordering::Relaxed);
         self.bytes += by;
         if before.saturating_add(by) <= self.of.limit {

@@ -8,6 +8,7 @@ use crate::deadline::grpc_timeout;
 use crate::ends_at_drain::EndsAtDrain;
 use crate::frame;
 use crate::planner_service::Reading;
+use crate::session::{Framing, Opening, Sessions};
 use bytes::Bytes;
 use futures_util::FutureExt;
 use futures_util::future::BoxFuture;
@@ -33,6 +34,7 @@ pub(crate) struct Guard {
     pub(crate) routes: Routes,
     pub(crate) config: Arc<Config>,
     pub(crate) buffered: Buffered,
+    pub(crate) sessions: Arc<Sessions>,
     /// Raised when the server begins to drain.
     pub(crate) drain: CancellationToken,
 }
@@ -67,7 +69,11 @@ impl Guard {
         }
     }
 
-    async fn admit_and_route(self, call: &Call, request: Request<Body>) -> Result<Response<Body>, Refused> {
+    async fn admit_and_route(
+        self,
+        call: &Arc<Call>,
+        request: Request<Body>,
+    ) -> Result<Response<Body>, Refused> {
         let path = request.uri().path();
         if PASSED.iter().any(|passed| path.starts_with(passed)) {
             let drain = self.drain.clone();
@@ -75,6 +81,18 @@ impl Guard {
         }
         let unknown = || Refused::UnknownMethod { path: path.to_owned() };
         let procedure = Procedure::at_path(path).ok_or_else(unknown)?;
+        if procedure.is_session() {
+            let (head, body) = request.into_parts();
+            let encoding = head.headers.get("grpc-encoding").and_then(|value| value.to_str().ok());
+            return self.sessions.open(Opening {
+                call: Arc::clone(call),
+                procedure,
+                framing: Framing::Grpc,
+                timeout: grpc_timeout(&head.headers)?,
+                encoding: encoding.map(str::to_owned),
+                body,
+            });
+        }
         let (request, held) = self.admit(call, &procedure, request).await?;
         let response = self.route(request).await;
         drop(held);

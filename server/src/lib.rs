@@ -2,7 +2,8 @@
 //!
 //! A request passes, in order: `accept` (connections, drain), `front` (which protocol, one log line), `connect` (JSON and
 //! protobuf over POST, transcoded to gRPC), `guard` (sizes and counts before decoding), tonic, `planner_service`,
-//! `dispatch` and `pool` (admission, deadline, cancel, panics), and there the engines.
+//! `dispatch` and `pool` (admission, deadline, cancel, panics), and there the engines. A session (PlanRapidMoves) goes from
+//! `guard` or `connect` to `session`, and from there to the pool turn by turn.
 //!
 //! ```no_run
 //! use traverse_server::{Config, Server, shutdown_signal};
@@ -36,6 +37,7 @@ mod limits_answer;
 mod planner_service;
 mod pool;
 mod server;
+mod session;
 mod signal;
 mod telemetry;
 

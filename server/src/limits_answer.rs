@@ -14,11 +14,13 @@ pub(crate) fn limits_answer(config: &Config) -> GetLimitsResponse {
         coordinate_mm: COORDINATE_LIMIT_MM,
         vertex_count: wide(limits.vertex_count),
         obstacle_count: i32::try_from(limits.obstacle_count).unwrap_or(i32::MAX),
+        distance_count: i32::try_from(limits.distance_count).unwrap_or(i32::MAX),
         default_time_limit: duration(config.default_time_limit),
         longest_time_limit: duration(config.longest_time_limit),
         queued_call_count: i32::try_from(config.queued_call_count).unwrap_or(i32::MAX),
         radius_mm: RADIUS_LIMIT_MM,
         step_count: wide(limits.step_count),
+        session_count: i32::try_from(config.session_count).unwrap_or(i32::MAX),
     }
 }
 

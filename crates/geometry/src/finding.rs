@@ -104,6 +104,8 @@ reasons! {
     HoleInHole = "HOLE_IN_HOLE",
     /// An id that stands for two things.
     DuplicateId = "DUPLICATE_ID",
+    /// An id that stands for nothing.
+    UnknownId = "UNKNOWN_ID",
     /// An enum value that this version does not know.
     UnknownEnumValue = "UNKNOWN_ENUM_VALUE",
     /// More items than GetLimits permits, or more edges lying on top of one another than can be told apart.

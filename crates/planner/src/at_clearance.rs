@@ -1,14 +1,14 @@
 //! One rapid move at one clearance: ways out of the barriers, the best level, the shortest path there.
 
 use crate::barriers::Barriers;
-use crate::level::{Levels, best_level, passed_over};
+use crate::clear_end::{EndPlace, clear_end};
+use crate::level::{Levels, best_level};
 use crate::rapid_move::least_cost;
 use crate::search::{End, Route};
 use crate::separating::separating;
 use crate::shortest_route::ShortestRoute;
-use crate::standing::{depths, stand};
+use crate::standing::stand;
 use crate::trace::trace;
-use crate::way_out::way_out;
 use crate::{RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
 use traverse_geometry::{EndRule, Path, Point, Scene};
@@ -161,21 +161,8 @@ impl<'a> AtClearance<'a> {
         z_mm: f64,
         rule: &EndRule,
     ) -> Result<Result<Point, Vec<Refusal>>, Interrupt> {
-        let left_out = passed_over(self.barriers, self.query.rules.heights, z_mm);
-        let inside = depths(self.barriers, &left_out, point, self.budget)?;
-        if inside.is_empty() {
-            return Ok(Ok(point));
-        }
-        let name = |owner: usize| self.barriers.id(owner).to_owned();
-        if *rule == EndRule::Refuse {
-            let refusal = |(owner, depth_mm)| {
-                let obstacle = name(owner);
-                Refusal::EndInsideBarrier { field, obstacle, depth_mm }
-            };
-            return Ok(Err(inside.into_iter().map(refusal).collect()));
-        }
-        let found = way_out(self.barriers, &left_out, &inside, point, rule, self.budget)?;
-        Ok(found.map_err(|shut| vec![Refusal::EndShutIn { field, obstacle: name(shut.by), why: shut.why }]))
+        let end = EndPlace { field, point, z_mm };
+        clear_end(self.barriers, self.query.rules.heights, end, rule, self.budget)
     }
 
     /// The shortest path in the plane at a level: its length, and it.

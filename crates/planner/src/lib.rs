@@ -10,7 +10,8 @@
 //! 2008 (`supporting_lines`).
 //!
 //! Many moves in one scene, which may change between them, are planned in a [`PreparedScene`] (`prepared`): it keeps what
-//! can be seen from where, and answers what a fresh scene would.
+//! can be seen from where, and answers what a fresh scene would. What many moves between points would cost is worked out
+//! from each point to all others at once (`distances`).
 //!
 //! ```
 //! use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, RapidRules, Ring, Scene};
@@ -43,6 +44,8 @@
 mod at_clearance;
 mod barrier;
 mod barriers;
+mod clear_end;
+mod distances;
 mod feasible;
 mod level;
 mod lowered;
@@ -57,6 +60,7 @@ mod supporting_lines;
 mod trace;
 mod way_out;
 
+pub use distances::{DistanceEnd, DistanceQuery, DistancesRefusal, plan_distances};
 pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
-pub use prepared::{EditRefusal, PreparedScene};
+pub use prepared::{EditRefusal, PreparedScene, SceneEdit};
 pub use rapid_move::plan_rapid_move;

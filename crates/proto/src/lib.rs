@@ -54,10 +54,17 @@ pub mod v1 {
 pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/traverse.bin"));
 
 pub use count::check_counts;
-pub use decode::{CheckQuestion, PlanQuestion, path_from_wire, requested_time_limit};
-pub use encode::{check_answer, check_request, plan_answer, plan_request, sound_answer};
+pub use decode::{
+    CheckQuestion, DistancesQuestion, PlanQuestion, StepQuestion, edit_from_wire, path_from_wire,
+    requested_time_limit, scene_from_wire, step_id_of, time_limit_in,
+};
+pub use encode::{
+    check_answer, check_request, distances_answer, plan_answer, plan_request, problem, scene_changed,
+    scene_message, sound_answer, step_plan,
+};
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;
 pub use refused::{REASONS, Refused};
+pub use prost_reflect::MessageDescriptor;
 pub use schema::{PLANNER_SERVICE, Procedure};
 pub use status::{DOMAIN, FINDINGS_BYTES};

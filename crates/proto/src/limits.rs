@@ -11,6 +11,8 @@ pub struct Limits {
     pub obstacle_count: usize,
     /// Most steps of a path to check.
     pub step_count: usize,
+    /// Most costs of one matrix of distances.
+    pub distance_count: usize,
 }
 
 /// Longest id of an obstacle, bytes.
@@ -23,6 +25,7 @@ impl Default for Limits {
             vertex_count: 250_000,
             obstacle_count: 50_000,
             step_count: 50_000,
+            distance_count: 1_000_000,
         }
     }
 }

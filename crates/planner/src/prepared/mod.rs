@@ -2,8 +2,11 @@
 //!
 //! The data's way: the scene is taken apart once (`terrain`); what can be seen from a corner or arc is worked out when a
 //! search first gets there (`sight`, `occlusion`) and kept as links (`link`, `sights`); an edit changes the links that it
-//! concerns when they are next used. A query adds its ends (`growth`) and searches along the links (`scene`).
+//! concerns when they are next used (`edit` makes many at once). A query adds its ends (`growth`) and searches along the
+//! links (`scene`); many ends at once are joined to the links by what each sees (`fan`).
 
+mod edit;
+mod fan;
 mod growth;
 mod horizon;
 mod link;
@@ -14,6 +17,8 @@ mod sight;
 mod sights;
 mod terrain;
 
+pub(crate) use fan::Fan;
 pub(crate) use link::Link;
 pub(crate) use nearby::Nearby;
+pub use edit::SceneEdit;
 pub use scene::{EditRefusal, PreparedScene};

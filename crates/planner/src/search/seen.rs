@@ -10,6 +10,7 @@
 
 use super::label::{Label, Place, Route, Step};
 use super::route::route;
+use super::shortest::LABEL_LIMIT;
 use super::stance::From;
 use super::tree::{Room, Tree};
 use super::{End, Ground};
@@ -76,6 +77,9 @@ impl<'a, M: Moves> SeenSearch<'a, M> {
     ) -> Result<Option<Route>, Interrupt> {
         loop {
             budget.check(*steps)?;
+            if self.tree.label_count() > LABEL_LIMIT {
+                return Err(Interrupt::Memory);
+            }
             let lowest = self.tree.lowest_estimate();
             let all_started = self.starts.len() == self.tree.start.places.len();
             if all_started && self.offered < lowest.unwrap_or(f64::INFINITY) {

@@ -16,6 +16,9 @@ use traverse_geometry::{Point, Vector};
 /// An order of costs for the heap; costs are finite and not negative, so their bits sort as they do.
 type Priority = u64;
 
+/// A tree of more labels than this leaves no memory to be used again: 3 MB.
+const ROOM_LABELS: usize = 1 << 16;
+
 /// The memory of a tree, to be used again.
 #[derive(Default)]
 pub(crate) struct Room {
@@ -30,6 +33,8 @@ pub(crate) struct Room {
 pub(crate) struct Tree<'a> {
     pub(super) start: &'a End,
     pub(super) target: &'a End,
+    /// What estimates count the straight way to. None: there are many targets, and estimates are the costs so far.
+    aim: Option<Point>,
     labels: Vec<Label>,
     /// Labels that were looked into, in order.
     pub(super) stances: Vec<Stance>,
@@ -43,8 +48,17 @@ pub(crate) struct Tree<'a> {
 impl<'a> Tree<'a> {
     /// A tree of nothing but the start.
     pub(crate) fn new(start: &'a End, target: &'a End, room: Room) -> Self {
+        Self::growing(start, target, Some(target.point), room)
+    }
+
+    /// A tree of nothing but the start that has no target yet and grows in all directions alike.
+    pub(super) fn in_all_directions(start: &'a End, room: Room) -> Self {
+        Self::growing(start, start, None, room)
+    }
+
+    fn growing(start: &'a End, target: &'a End, aim: Option<Point>, room: Room) -> Self {
         let Room { labels, stances, ahead, open, settled } = room;
-        let mut tree = Self { start, target, labels, stances, ahead, open, settled };
+        let mut tree = Self { start, target, aim, labels, stances, ahead, open, settled };
         for place in 0..start.places.len() as u32 {
             let place = Place::Start(place);
             tree.add(
@@ -58,6 +72,9 @@ impl<'a> Tree<'a> {
     /// Gives its memory back, empty.
     pub(crate) fn into_room(self) -> Room {
         let Self { mut labels, mut stances, mut ahead, mut open, mut settled, .. } = self;
+        if labels.len() > ROOM_LABELS {
+            return Room::default();
+        }
         for stance in &stances {
             if let From::Feature(departure) = &stance.from {
                 settled.forget(departure.lane.feature);
@@ -95,7 +112,7 @@ impl<'a> Tree<'a> {
 
     /// Adds a label whose place on the answered path is `at`.
     pub(super) fn add(&mut self, label: Label, at: Point) {
-        let estimate = label.cost + (self.target.point - at).norm();
+        let estimate = label.cost + self.aim.map_or(0.0, |aim| (aim - at).norm());
         self.open.push((Reverse(estimate.to_bits()), self.labels.len() as u32));
         self.labels.push(label);
     }

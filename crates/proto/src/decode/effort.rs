@@ -9,7 +9,13 @@ use traverse_planner::Algorithm;
 /// counts.
 #[must_use]
 pub fn requested_time_limit(request: &v1::PlanRapidMoveRequest) -> Option<Duration> {
-    let limit = request.rules.as_ref()?.options.as_ref()?.time_limit.as_ref()?;
+    time_limit_in(request.rules.as_ref())
+}
+
+/// The time limit that rules name, if they name a sound one.
+#[must_use]
+pub fn time_limit_in(rules: Option<&v1::RapidRules>) -> Option<Duration> {
+    let limit = rules?.options.as_ref()?.time_limit.as_ref()?;
     duration(limit)
 }
 

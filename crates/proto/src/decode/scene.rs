@@ -31,7 +31,7 @@ impl Reader<'_> {
         let has_work_area = scene.work_area.is_some();
         let work_area =
             scene.work_area.and_then(|polygon| self.polygon(&format!("{field}.work_area"), Some(polygon)));
-        let obstacles = self.obstacles(field, scene.obstacles);
+        let obstacles = self.obstacles(&format!("{field}.obstacles"), scene.obstacles);
         if has_work_area && work_area.is_none() {
             return None;
         }
@@ -66,7 +66,8 @@ impl Reader<'_> {
         }
     }
 
-    fn obstacles(&mut self, field: &str, obstacles: Vec<v1::Obstacle>) -> Option<Vec<Obstacle>> {
+    /// A list of obstacles with ids that differ.
+    pub(crate) fn obstacles(&mut self, list: &str, obstacles: Vec<v1::Obstacle>) -> Option<Vec<Obstacle>> {
         let mut first_with: HashMap<String, usize> = HashMap::new();
         let mut read = Vec::with_capacity(obstacles.len());
         let mut complete = true;
@@ -74,7 +75,7 @@ impl Reader<'_> {
             if !self.goes_on() {
                 return None;
             }
-            let field = format!("{field}.obstacles[{index}]");
+            let field = format!("{list}[{index}]");
             self.id(&field, index, &obstacle.id, &mut first_with);
             let clearance_mm =
                 obstacle.clearance_mm.and_then(|mm| self.clearance(&format!("{field}.clearance_mm"), mm));

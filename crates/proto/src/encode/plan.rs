@@ -3,7 +3,7 @@
 use super::path::path;
 use crate::v1::{self, plan_rapid_move_response::Outcome};
 use std::time::Duration;
-use traverse_planner::{Answer, FeasibleClearance, RapidPlan, Stats};
+use traverse_planner::{Answer, FeasibleClearance, NoPath, RapidPlan, Stats};
 
 /// The planner's answer as its message. `prepare` is the time before the search, `search` its own.
 #[must_use]
@@ -15,23 +15,28 @@ pub fn plan_answer(
 ) -> v1::PlanRapidMoveResponse {
     let outcome = match answer {
         Answer::Plan(plan) => Outcome::Plan(rapid_plan(plan)),
-        Answer::NoPath(no_path) => Outcome::NoPath(v1::NoPath {
-            separating_obstacle_ids: no_path.separating_obstacles.clone(),
-            feasible_clearance_mm: match no_path.feasible_clearance {
-                FeasibleClearance::Millimetres(clearance) => Some(clearance),
-                FeasibleClearance::None | FeasibleClearance::Unknown => None,
-            },
-            feasible_clearance_unknown: no_path.feasible_clearance == FeasibleClearance::Unknown,
-        }),
+        Answer::NoPath(no_path) => Outcome::NoPath(self::no_path(no_path)),
     };
-    v1::PlanRapidMoveResponse {
-        outcome: Some(outcome),
-        stats: Some(v1::RapidStats {
-            barrier_vertex_count: count(stats.barrier_vertices),
-            expanded_node_count: count(stats.expanded_nodes),
-            prepare_duration: prepare.try_into().ok(),
-            search_duration: search.try_into().ok(),
-        }),
+    v1::PlanRapidMoveResponse { outcome: Some(outcome), stats: Some(rapid_stats(stats, prepare, search)) }
+}
+
+pub(super) fn rapid_stats(stats: Stats, prepare: Duration, search: Duration) -> v1::RapidStats {
+    v1::RapidStats {
+        barrier_vertex_count: count(stats.barrier_vertices),
+        expanded_node_count: count(stats.expanded_nodes),
+        prepare_duration: prepare.try_into().ok(),
+        search_duration: search.try_into().ok(),
+    }
+}
+
+pub(super) fn no_path(no_path: &NoPath) -> v1::NoPath {
+    v1::NoPath {
+        separating_obstacle_ids: no_path.separating_obstacles.clone(),
+        feasible_clearance_mm: match no_path.feasible_clearance {
+            FeasibleClearance::Millimetres(clearance) => Some(clearance),
+            FeasibleClearance::None | FeasibleClearance::Unknown => None,
+        },
+        feasible_clearance_unknown: no_path.feasible_clearance == FeasibleClearance::Unknown,
     }
 }
 
@@ -41,7 +46,7 @@ pub fn sound_answer() -> v1::PlanRapidMoveResponse {
     v1::PlanRapidMoveResponse { outcome: None, stats: None }
 }
 
-fn rapid_plan(plan: &RapidPlan) -> v1::RapidPlan {
+pub(super) fn rapid_plan(plan: &RapidPlan) -> v1::RapidPlan {
     v1::RapidPlan {
         path: Some(path(&plan.path)),
         cost: plan.cost,
