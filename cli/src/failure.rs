@@ -51,7 +51,9 @@ impl From<CallError> for Failure {
         let text = error.to_string();
         match error {
             CallError::Unreachable { .. } => Self::Unreachable(text),
-            CallError::UnknownMethod { .. } | CallError::Address { .. } => Self::Input(text),
+            CallError::UnknownMethod { .. } | CallError::OtherForm { .. } | CallError::Address { .. } => {
+                Self::Input(text)
+            }
             CallError::Refused { code, .. } => match code.as_str() {
                 "internal" | "unknown" | "data_loss" => Self::Internal(text),
                 "deadline_exceeded" | "resource_exhausted" | "unavailable" | "canceled" => Self::NotNow(text),

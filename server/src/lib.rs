@@ -22,6 +22,7 @@ mod buffered;
 mod call;
 mod call_log;
 mod caller;
+mod caller_session;
 mod config;
 mod connect;
 mod deadline;
@@ -41,7 +42,7 @@ mod session;
 mod signal;
 mod telemetry;
 
-pub use caller::{CallError, Caller};
+pub use caller::{CallError, Caller, is_session};
 pub use config::{Config, ConfigError, DEFAULT_PORT};
 pub use deadline::ANSWER_RESERVE;
 pub use dispatch::RETRY_AFTER;

@@ -3,6 +3,7 @@
 #![allow(clippy::panic, reason = "tests; clippy sees functions that help them as production code")]
 
 mod bad_input;
+mod distances;
 mod documents;
 mod drain;
 mod gate;
@@ -15,4 +16,5 @@ mod log;
 mod request;
 mod rules;
 mod running;
+mod session;
 mod web;

@@ -76,7 +76,7 @@ impl Reader<'_> {
                 return None;
             }
             let field = format!("{list}[{index}]");
-            self.id(&field, index, &obstacle.id, &mut first_with);
+            self.id(list, index, &obstacle.id, &mut first_with);
             let clearance_mm =
                 obstacle.clearance_mm.and_then(|mm| self.clearance(&format!("{field}.clearance_mm"), mm));
             let top_z_mm = obstacle.top_z_mm.and_then(|mm| self.coordinate(&format!("{field}.top_z_mm"), mm));
@@ -88,8 +88,8 @@ impl Reader<'_> {
         complete.then_some(read)
     }
 
-    fn id(&mut self, field: &str, index: usize, id: &str, first_with: &mut HashMap<String, usize>) {
-        let field = format!("{field}.id");
+    fn id(&mut self, list: &str, index: usize, id: &str, first_with: &mut HashMap<String, usize>) {
+        let field = format!("{list}[{index}].id");
         if id.is_empty() {
             self.missing(&field, "an id of your own; answers name obstacles by it");
         } else if id.len() > ID_BYTES {
@@ -98,7 +98,7 @@ impl Reader<'_> {
             self.out_of_range(&field, id, "another id: answers call the border so");
         } else if let Some(first) = first_with.get(id) {
             let message =
-                format!("obstacles[{first}] has the id {} already; send each id once", shortened(id, 100));
+                format!("{list}[{first}] has the id {} already; send each id once", shortened(id, 100));
             self.report(Finding::new(field, Reason::DuplicateId, id, message));
         } else {
             first_with.insert(id.to_owned(), index);
