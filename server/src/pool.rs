@@ -177,8 +177,13 @@ mod tests {
         let (work, begun, end) = gate();
         let running = pool.submit(Entry::Call, CancelToken::new(), work).expect("idle");
         begun.recv_timeout(HANG).expect("it runs");
-        let waiting = pool.submit(Entry::Call, CancelToken::new(), || panic!("its caller is gone")).expect("one may wait");
-        assert_eq!(pool.submit(Entry::Call, CancelToken::new(), || ()).err(), Some(QueueFull { capacity: 1 }));
+        let waiting = pool
+            .submit(Entry::Call, CancelToken::new(), || panic!("its caller is gone"))
+            .expect("one may wait");
+        assert_eq!(
+            pool.submit(Entry::Call, CancelToken::new(), || ()).err(),
+            Some(QueueFull { capacity: 1 })
+        );
         drop(waiting);
         let (done, is_done) = channel();
         let next = pool
@@ -214,10 +219,13 @@ mod tests {
     #[test]
     fn a_panic_does_not_cost_a_worker() {
         let pool = Pool::start(1, 8).expect("threads");
-        let tickets: Vec<Ticket> =
-            (0..4).map(|_| pool.submit(Entry::Call, CancelToken::new(), || panic!("on purpose")).expect("room")).collect();
+        let tickets: Vec<Ticket> = (0..4)
+            .map(|_| pool.submit(Entry::Call, CancelToken::new(), || panic!("on purpose")).expect("room"))
+            .collect();
         let (done, is_done) = channel();
-        let last = pool.submit(Entry::Call, CancelToken::new(), move || done.send(()).expect("heard")).expect("room");
+        let last = pool
+            .submit(Entry::Call, CancelToken::new(), move || done.send(()).expect("heard"))
+            .expect("room");
         is_done.recv_timeout(HANG).expect("the worker lives");
         drop((tickets, last));
     }

@@ -13,12 +13,7 @@ use traverse_planner::{
 use traverse_solve::{Budget, CancelToken, Interrupt, Seed, Silent};
 
 fn question(from: &[Point], to: &[Point], rules: &RapidRules) -> DistanceQuery {
-    DistanceQuery {
-        from: from.to_vec(),
-        to: to.to_vec(),
-        algorithm: Algorithm::Exact,
-        rules: rules.clone(),
-    }
+    DistanceQuery { from: from.to_vec(), to: to.to_vec(), algorithm: Algorithm::Exact, rules: rules.clone() }
 }
 
 fn planned(scene: &Scene, start: Point, target: Point, rules: &RapidRules) -> Result<f64, Vec<Refusal>> {
@@ -198,11 +193,14 @@ fn the_published_scan_prices_its_own_ways() {
     let scene = mitred(scene([rectangle(0.0, 0.0, 10.0, 4.0)], 1.0));
     let from = [point(-5.0, 2.0), point(15.0, 3.0), point(4.0, -9.0)];
     let scan = |from: &[Point]| {
-        let query =
-            DistanceQuery { algorithm: Algorithm::SupportingLines, ..question(from, &[], &Default::default()) };
+        let query = DistanceQuery {
+            algorithm: Algorithm::SupportingLines,
+            ..question(from, &[], &Default::default())
+        };
         plan_distances(&scene, &query, &Budget::unlimited())
     };
-    let exact = plan_distances(&scene, &question(&from, &[], &Default::default()), &Budget::unlimited()).unwrap();
+    let exact =
+        plan_distances(&scene, &question(&from, &[], &Default::default()), &Budget::unlimited()).unwrap();
     for (scanned, exact) in scan(&from).unwrap().into_iter().zip(exact) {
         assert!(scanned >= exact - 1e-9, "{scanned} {exact}");
     }

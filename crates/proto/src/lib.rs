@@ -64,7 +64,7 @@ pub use encode::{
 };
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;
-pub use refused::{REASONS, Refused};
 pub use prost_reflect::MessageDescriptor;
+pub use refused::{REASONS, Refused};
 pub use schema::{PLANNER_SERVICE, Procedure};
 pub use status::{DOMAIN, FINDINGS_BYTES};

@@ -96,7 +96,8 @@ mod tests {
     fn procedures_are_found_by_path_and_by_name() {
         let paths: Vec<String> = Procedure::all().map(|procedure| procedure.path()).collect();
         assert!(paths.len() >= 5, "{paths:?}");
-        let sessions = Procedure::all().filter(Procedure::is_session).map(|session| session.name().to_owned());
+        let sessions =
+            Procedure::all().filter(Procedure::is_session).map(|session| session.name().to_owned());
         assert_eq!(sessions.collect::<Vec<_>>(), ["PlanRapidMoves"]);
         for path in &paths {
             assert_eq!(Procedure::at_path(path).expect("its own path").path(), *path);

@@ -63,10 +63,7 @@ impl FramesIn {
         Ok(())
     }
 
-    fn take(
-        &mut self,
-        frame: Option<Result<http_body::Frame<Bytes>, tonic::Status>>,
-    ) -> Result<(), Refused> {
+    fn take(&mut self, frame: Option<Result<http_body::Frame<Bytes>, tonic::Status>>) -> Result<(), Refused> {
         match frame {
             None => self.is_over = true,
             Some(Err(error)) => return Err(self.broken(&error.to_string())),

@@ -81,7 +81,9 @@ impl Framing {
 
     /// A response that ends at once.
     pub(crate) fn ended(self, status: &Status) -> Response<Body> {
-        self.response(Body::new(StreamBody::new(futures_util::stream::iter([Ok::<_, Status>(self.end(status))]))))
+        self.response(Body::new(StreamBody::new(futures_util::stream::iter([Ok::<_, Status>(
+            self.end(status),
+        )]))))
     }
 
     pub(super) fn response(self, body: Body) -> Response<Body> {

@@ -10,9 +10,9 @@
 //! tonic is not on this way: it would decode on the async runtime, one message at a time, and could not refuse one step
 //! alone whose bytes are no message.
 
-mod framing;
 mod frames_in;
 mod frames_out;
+mod framing;
 mod serve;
 mod stage;
 mod turn;

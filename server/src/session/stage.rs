@@ -48,7 +48,9 @@ impl Stale {
             Self::SceneRefused => {
                 "the scene before this step was refused, or a step that could not be read: send the scene again"
             }
-            Self::EditRefused => "an edit before this step was refused: send it again, mended, or a new scene",
+            Self::EditRefused => {
+                "an edit before this step was refused: send it again, mended, or a new scene"
+            }
         }
     }
 }

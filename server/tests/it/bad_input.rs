@@ -214,7 +214,13 @@ async fn a_million_wrong_numbers_make_a_small_answer() {
 }
 
 fn small() -> Config {
-    let limits = Limits { message_bytes: 4096, vertex_count: 10, obstacle_count: 3, step_count: 2 };
+    let limits = Limits {
+        message_bytes: 4096,
+        vertex_count: 10,
+        obstacle_count: 3,
+        step_count: 2,
+        ..Limits::default()
+    };
     Config { limits, ..Config::on_free_port() }
 }
 

@@ -40,7 +40,8 @@ async fn a_matrix_is_answered() {
 
 #[tokio::test]
 async fn no_way_is_infinity_in_json_too() {
-    let caller = Caller::InProcess(Box::new(traverse_server::Server::new(Config::on_free_port()).expect("sound")));
+    let caller =
+        Caller::InProcess(Box::new(traverse_server::Server::new(Config::on_free_port()).expect("sound")));
     let text = r#"{"scene":{"work_area":{"outer":{"xy_mm":[0,0,100,0,100,100,0,100]}},
         "obstacles":[{"id":"wall","shape":{"outer":{"xy_mm":[40,0,60,0,60,100,40,100]}}}],"clearance_mm":1},
         "from_xy_mm":[10,50,90,50],"to_xy_mm":[20,50]}"#;

@@ -19,6 +19,7 @@ from .point import Point
 from .retry import Retry
 from .ring import Ring
 from .scene import CornerStyle, Obstacle, Polygon, Scene
+from .session import Session
 
 __all__ = [
     "Algorithm",
@@ -42,6 +43,7 @@ __all__ = [
     "Scene",
     "ServerBusy",
     "ServerUnavailable",
+    "Session",
     "Stats",
     "Step",
     "TimeOver",

@@ -38,8 +38,7 @@ impl AtClearance<'_> {
         let Self { scene, query, budget, .. } = *self;
         let barriers = Barriers::new(scene, budget)?;
         let heights = query.rules.heights;
-        let [start_z, target_z] =
-            heights.map_or([0.0; 2], |rule| [rule.start_z_mm, rule.target_z_mm]);
+        let [start_z, target_z] = heights.map_or([0.0; 2], |rule| [rule.start_z_mm, rule.target_z_mm]);
         let from = self.clear_ends(&barriers, "start", &query.from, start_z, &query.rules.leave)?;
         let to = self.clear_ends(&barriers, "target", query.targets(), target_z, &query.rules.enter)?;
         let mut open = matrix.open();

@@ -52,14 +52,15 @@ fn refused_end(
     row: usize,
     column: usize,
 ) -> Result<(DistanceEnd, Refusal), DistancesRefusal> {
-    let end = match &refusal {
-        Refusal::EndInsideBarrier { field, .. } | Refusal::EndShutIn { field, .. } => {
-            if *field == "start" { DistanceEnd::From(row) } else { DistanceEnd::To(column) }
-        }
-        &Refusal::PublishedMethodNotApplicable { why } => {
-            return Err(DistancesRefusal::PublishedMethodNotApplicable { why });
-        }
-        Refusal::Interrupted { interrupt, .. } => return Err(DistancesRefusal::Interrupted(*interrupt)),
-    };
+    let end =
+        match &refusal {
+            Refusal::EndInsideBarrier { field, .. } | Refusal::EndShutIn { field, .. } => {
+                if *field == "start" { DistanceEnd::From(row) } else { DistanceEnd::To(column) }
+            }
+            &Refusal::PublishedMethodNotApplicable { why } => {
+                return Err(DistancesRefusal::PublishedMethodNotApplicable { why });
+            }
+            Refusal::Interrupted { interrupt, .. } => return Err(DistancesRefusal::Interrupted(*interrupt)),
+        };
     Ok((end, refusal))
 }

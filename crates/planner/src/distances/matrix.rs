@@ -17,7 +17,8 @@ impl Matrix {
     /// Pairs that are to be worked out and for which no way is known, in order.
     pub(super) fn open(&self) -> Vec<(usize, usize)> {
         let first = |row: usize| if self.is_symmetric { row } else { 0 };
-        let pairs = (0..self.rows).flat_map(|row| (first(row)..self.columns).map(move |column| (row, column)));
+        let pairs =
+            (0..self.rows).flat_map(|row| (first(row)..self.columns).map(move |column| (row, column)));
         pairs.filter(|&(row, column)| self.cost(row, column) == f64::INFINITY).collect()
     }
 

@@ -17,8 +17,8 @@ mod sight;
 mod sights;
 mod terrain;
 
+pub use edit::SceneEdit;
 pub(crate) use fan::Fan;
 pub(crate) use link::Link;
 pub(crate) use nearby::Nearby;
-pub use edit::SceneEdit;
 pub use scene::{EditRefusal, PreparedScene};

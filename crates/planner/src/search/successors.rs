@@ -1,11 +1,11 @@
 //! Where a path can go from a stance: along tangents to features and to the target, and over onto what a feature
 //! goes over into.
 
-use super::{End, Ground};
 use super::departure::Departure;
 use super::label::{Label, Place, Step};
 use super::stance::{From, Leg};
 use super::tree::{Tree, lane};
+use super::{End, Ground};
 use crate::barrier::Side;
 
 impl Tree<'_> {

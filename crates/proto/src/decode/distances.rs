@@ -61,8 +61,7 @@ impl Reader<'_> {
     /// Points as x0, y0, x1, y1, …
     fn points(&mut self, field: &str, xy_mm: &[f64]) -> Option<Vec<Point>> {
         if !xy_mm.len().is_multiple_of(2) {
-            let message =
-                format!("{} numbers given; send an x and a y for every point", xy_mm.len());
+            let message = format!("{} numbers given; send an x and a y for every point", xy_mm.len());
             self.report(Finding::new(field, Reason::OddCoordinateCount, xy_mm.len(), message));
         }
         let mut points = Vec::with_capacity(xy_mm.len() / 2);

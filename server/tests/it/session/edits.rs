@@ -16,7 +16,8 @@ fn star(stream: &mut Stream, id: usize) -> Obstacle {
     let corners = stream.random_range(3..8);
     let mut xy_mm = Vec::new();
     for i in 0..corners {
-        let angle = std::f64::consts::TAU * (f64::from(i) + stream.random_range(0.1..0.9)) / f64::from(corners);
+        let angle =
+            std::f64::consts::TAU * (f64::from(i) + stream.random_range(0.1..0.9)) / f64::from(corners);
         let radius = stream.random_range(3.0..9.0);
         xy_mm.extend([x + radius * angle.cos(), y + radius * angle.sin()]);
     }
@@ -39,7 +40,9 @@ fn edit(stream: &mut Stream, scene: &mut Scene) -> EditScene {
             edit.remove_obstacle_ids.push(obstacle.id.clone());
         }
     }
-    scene.obstacles.retain(|obstacle| !is_put(&obstacle.id) && !edit.remove_obstacle_ids.contains(&obstacle.id));
+    scene
+        .obstacles
+        .retain(|obstacle| !is_put(&obstacle.id) && !edit.remove_obstacle_ids.contains(&obstacle.id));
     scene.obstacles.extend(edit.put_obstacles.iter().cloned());
     edit
 }

@@ -28,7 +28,10 @@ async fn a_querys_time_limit_ends_the_query_and_not_the_session() {
     let mut talk = Talk::open(&mut server.client().await).await.expect("opened");
     talk.changed(Step::Scene(one_block())).await;
     let problem = talk.problem(Step::Query(within(past(), 30_000_000))).await;
-    assert_eq!((problem.code, problem.reason.as_str()), (Code::DeadlineExceeded.into(), "TIME_LIMIT_REACHED"));
+    assert_eq!(
+        (problem.code, problem.reason.as_str()),
+        (Code::DeadlineExceeded.into(), "TIME_LIMIT_REACHED")
+    );
     assert_eq!(gate.ended().await, Some(Interrupt::Deadline));
     gate.open();
     talk.plan(past()).await;
@@ -85,7 +88,10 @@ async fn sessions_end_when_the_server_drains() {
     // What is at work may end, and is answered.
     gate.open();
     let answer = busy.next().await.expect("no end").expect("an answer");
-    assert_eq!((answer.step_id.as_str(), matches!(answer.outcome, Some(Outcome::Plan(_)))), ("at work", true));
+    assert_eq!(
+        (answer.step_id.as_str(), matches!(answer.outcome, Some(Outcome::Plan(_)))),
+        ("at work", true)
+    );
     assert_eq!(reason(&busy.end().await), "SERVER_DRAINING");
     tokio::time::timeout(HANG, served).await.expect("no hang").expect("no panic").expect("served");
 }

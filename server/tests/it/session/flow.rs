@@ -33,8 +33,7 @@ async fn a_caller_who_does_not_read_is_not_read_from() {
         };
         PlanRapidMovesRequest { step_id: i.to_string(), step: Some(step) }
     });
-    let mut answers =
-        client.plan_rapid_moves(tokio_stream::iter(steps)).await.expect("opened").into_inner();
+    let mut answers = client.plan_rapid_moves(tokio_stream::iter(steps)).await.expect("opened").into_inner();
     // Until nothing moves any more.
     let mut before = usize::MAX;
     while before != taken.load(Ordering::Relaxed) {

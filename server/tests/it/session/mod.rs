@@ -16,8 +16,8 @@ use traverse_proto::v1::plan_rapid_moves_request::Step;
 use traverse_proto::v1::plan_rapid_moves_response::Outcome;
 use traverse_proto::v1::planner_service_client::PlannerServiceClient;
 use traverse_proto::v1::{
-    EditScene, PlanRapidMovesRequest, PlanRapidMovesResponse, Problem, RapidPlan, RapidQuery, RapidRules, Scene,
-    SceneChanged,
+    EditScene, PlanRapidMovesRequest, PlanRapidMovesResponse, Problem, RapidPlan, RapidQuery, RapidRules,
+    Scene, SceneChanged,
 };
 
 /// An open session.
@@ -86,7 +86,11 @@ impl Talk {
 
 /// One block of 10 mm, kept 3 mm away from.
 fn one_block() -> Scene {
-    Scene { obstacles: vec![obstacle("block", square(0.0, 0.0, 10.0))], clearance_mm: 3.0, ..Default::default() }
+    Scene {
+        obstacles: vec![obstacle("block", square(0.0, 0.0, 10.0))],
+        clearance_mm: 3.0,
+        ..Default::default()
+    }
 }
 
 fn query(start: (f64, f64), target: (f64, f64)) -> RapidQuery {

@@ -83,7 +83,8 @@ async fn bytes_that_are_no_step_fail_alone() {
     let named = PlanRapidMovesRequest { step_id: "named".to_owned(), step: None }.encode_to_vec();
     // A scene whose bytes end too soon.
     let broken = [&named[..], &[0x12, 0x05, 0x0a, 0x7f, 0, 0, 0]].concat();
-    let messages = [&steps[0][..], &steps[1], b"\xff\xff\xff", &steps[1], &steps[0], &broken, &steps[1], &steps[0]];
+    let messages =
+        [&steps[0][..], &steps[1], b"\xff\xff\xff", &steps[1], &steps[0], &broken, &steps[1], &steps[0]];
     let body: Vec<Bytes> = messages.iter().map(|message| framed(0, message)).collect();
     let answer = send(server.address, post(PATH, "application/connect+proto", body.concat())).await;
     let frames = frames(&answer.body);
@@ -143,15 +144,27 @@ async fn lines_of_json_in_and_out_in_process_and_on_a_server() {
     let scene = serde_json::json!({"stepId": "1", "scene": scene["scene"]}).to_string();
     let query = r#"{"step_id":"2","query":{"start":{"x_mm":-5,"y_mm":2},"target":{"x_mm":15,"y_mm":2}}}"#;
     for caller in [&remote, &here] {
-        let (answers, ended) = told(caller, &[&scene, query, r#"{"querry":{}}"#, query, "<html>", &scene, query]).await;
+        let (answers, ended) =
+            told(caller, &[&scene, query, r#"{"querry":{}}"#, query, "<html>", &scene, query]).await;
         assert_eq!(ended, Ok(()));
         let outcome = |answer: &serde_json::Value| match answer["problem"]["reason"].as_str() {
             Some(reason) => reason.to_owned(),
-            None => ["plan", "sceneChanged"].into_iter().find(|name| answer.get(name).is_some()).unwrap_or("?").to_owned(),
+            None => ["plan", "sceneChanged"]
+                .into_iter()
+                .find(|name| answer.get(name).is_some())
+                .unwrap_or("?")
+                .to_owned(),
         };
         let outcomes: Vec<String> = answers.iter().map(outcome).collect();
-        let expected =
-            ["sceneChanged", "plan", "MALFORMED_JSON", "SCENE_STALE", "MALFORMED_JSON", "sceneChanged", "plan"];
+        let expected = [
+            "sceneChanged",
+            "plan",
+            "MALFORMED_JSON",
+            "SCENE_STALE",
+            "MALFORMED_JSON",
+            "sceneChanged",
+            "plan",
+        ];
         assert_eq!(outcomes, expected);
         assert!(answers[2]["problem"]["message"].as_str().is_some_and(|text| text.contains("querry")));
         assert_eq!(answers[1]["stepId"], "2");

@@ -112,7 +112,7 @@ async fn nothing_is_planned_against_a_scene_that_is_not_meant() {
 
 #[tokio::test]
 async fn every_finding_of_an_edit_comes_at_once_and_nothing_of_it_is_done() {
-    let limits = Limits { obstacle_count: 4, vertex_count: 20, ..Limits::default() };
+    let limits = Limits { obstacle_count: 5, vertex_count: 24, ..Limits::default() };
     let config = Config { limits, ..Config::on_free_port() };
     let server = Running::with(config, TraverseEngines).await;
     let mut talk = Talk::open(&mut server.client().await).await.expect("opened");
@@ -138,16 +138,19 @@ async fn every_finding_of_an_edit_comes_at_once_and_nothing_of_it_is_done() {
     assert_eq!(talk.changed(Step::Edit(EditScene::default())).await.obstacle_count, 1);
     assert!((talk.plan(past()).await.cost - PAST_A_BLOCK_MM).abs() < 1e-6);
     // The whole scene has to fit, not only the edit.
-    let too_many = EditScene { put_obstacles: ["a", "b", "c", "d"].map(|id| far(id, 9.0)).to_vec(), ..Default::default() };
+    let too_many = EditScene {
+        put_obstacles: ["a", "b", "c", "d", "e"].map(|id| far(id, 9.0)).to_vec(),
+        ..Default::default()
+    };
     let problem = talk.problem(Step::Edit(too_many)).await;
     assert_eq!(fields(&problem), [("edit.put_obstacles", "TOO_MANY")], "{problem:?}");
     let swapped = EditScene {
-        put_obstacles: ["a", "b", "c", "d"].map(|id| far(id, 9.0)).to_vec(),
+        put_obstacles: ["a", "b", "c", "d", "e"].map(|id| far(id, 9.0)).to_vec(),
         remove_obstacle_ids: vec!["block".to_owned()],
     };
-    assert_eq!(talk.changed(Step::Edit(swapped)).await.obstacle_count, 4);
+    assert_eq!(talk.changed(Step::Edit(swapped)).await.obstacle_count, 5);
     let replaced = EditScene { put_obstacles: vec![far("a", 0.0), far("d", 5.0)], ..Default::default() };
-    assert_eq!(talk.changed(Step::Edit(replaced)).await.obstacle_count, 4);
+    assert_eq!(talk.changed(Step::Edit(replaced)).await.obstacle_count, 5);
 }
 
 #[tokio::test]
@@ -156,12 +159,17 @@ async fn no_path_is_an_answer() {
     let mut talk = Talk::open(&mut server.client().await).await.expect("opened");
     let walls = [("w", -20.0, -20.0), ("x", 10.0, -20.0), ("y", -20.0, 10.0), ("z", -20.0, -50.0)];
     let walls = walls.map(|(id, x, y)| obstacle(id, square(x, y, 30.0)));
-    talk.changed(Step::Scene(Scene { obstacles: walls.to_vec(), clearance_mm: 1.0, ..Default::default() })).await;
+    talk.changed(Step::Scene(Scene { obstacles: walls.to_vec(), clearance_mm: 1.0, ..Default::default() }))
+        .await;
     let ask = Step::Query(query((-40.0, -5.0), (60.0, 60.0)));
     assert!(matches!(talk.ask(ask).await, Outcome::Plan(_)));
     let area = square(-60.0, -60.0, 200.0);
-    let moat = v1::Polygon { outer: square(100.0, 100.0, 30.0).outer, holes: vec![square(105.0, 105.0, 20.0).outer.expect("set")] };
-    let scene = Scene { work_area: Some(area), obstacles: vec![obstacle("moat", moat)], ..Default::default() };
+    let moat = v1::Polygon {
+        outer: square(100.0, 100.0, 30.0).outer,
+        holes: vec![square(105.0, 105.0, 20.0).outer.expect("set")],
+    };
+    let scene =
+        Scene { work_area: Some(area), obstacles: vec![obstacle("moat", moat)], ..Default::default() };
     talk.changed(Step::Scene(scene)).await;
     let Outcome::NoPath(no_path) = talk.ask(Step::Query(query((0.0, 0.0), (115.0, 115.0)))).await else {
         panic!("there is a path")
