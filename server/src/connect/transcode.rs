@@ -2,7 +2,7 @@
 
 use super::error::{error_body, http_status};
 use super::headers::{Encoding, session_framing, timeout};
-use crate::buffered::Buffered;
+use crate::buffered::{Buffered, Wanted};
 use crate::call::Call;
 use crate::config::Config;
 use crate::deadline::to_grpc_timeout;
@@ -102,7 +102,7 @@ impl Connect {
         let patience = timeout.unwrap_or(self.config.longest_time_limit).min(self.config.longest_time_limit);
         let deadline = call.arrival.checked_add(patience);
         let limit = self.config.limits.message_bytes;
-        let read = self.buffered.read(request.into_body(), 0, limit, |_| Ok(()));
+        let read = self.buffered.read(request.into_body(), 0, limit, |_| Ok(Wanted::Rest));
         let late = |_| Refused::TimeLimitReached { lower_bound: None };
         let (body, held) = tokio::time::timeout(patience, read).await.map_err(late)??;
         call.note(|facts| facts.bytes = body.len() as u64);

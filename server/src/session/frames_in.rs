@@ -20,6 +20,8 @@ pub(super) struct FramesIn {
     limit: usize,
     encoding: Option<String>,
     is_over: bool,
+    /// Why nothing more can be read; told once the whole frames before it were given out.
+    refused: Option<Refused>,
 }
 
 /// Whole frames, one after the other; what they hold in memory is given back with them.
@@ -31,7 +33,8 @@ pub(super) struct Batch {
 impl FramesIn {
     /// Messages of at most `limit` bytes; `encoding` is what the caller says compressed ones are compressed by.
     pub(super) fn new(body: Body, buffered: &Buffered, limit: usize, encoding: Option<String>) -> Self {
-        Self { body, read: BytesMut::new(), held: buffered.hold(), limit, encoding, is_over: false }
+        let (read, held) = (BytesMut::new(), buffered.hold());
+        Self { body, read, held, limit, encoding, is_over: false, refused: None }
     }
 
     /// All whole frames that are there, as soon as there is one; none when the caller has said all. May be dropped and
@@ -41,26 +44,28 @@ impl FramesIn {
     /// What came is no frame, or too large; or there is no memory for it.
     pub(super) async fn next(&mut self) -> Result<Option<Batch>, Refused> {
         loop {
-            self.read_what_is_there()?;
+            self.read_what_is_there();
             let whole = self.whole()?;
             if whole > 0 {
                 let frames = self.read.split_to(whole).freeze();
                 return Ok(Some(Batch { held: self.held.part(frames.len()), frames }));
             }
+            if let Some(refused) = self.refused.take() {
+                return Err(refused);
+            }
             if self.is_over {
                 return if self.read.is_empty() { Ok(None) } else { Err(self.broken("the caller ended it")) };
             }
             let frame = self.body.frame().await;
-            self.take(frame)?;
+            self.refused = self.take(frame).err();
         }
     }
 
-    fn read_what_is_there(&mut self) -> Result<(), Refused> {
-        while !self.is_over && self.read.len() < BATCH_BYTES {
+    fn read_what_is_there(&mut self) {
+        while !self.is_over && self.refused.is_none() && self.read.len() < BATCH_BYTES {
             let Some(frame) = self.body.frame().now_or_never() else { break };
-            self.take(frame)?;
+            self.refused = self.take(frame).err();
         }
-        Ok(())
     }
 
     fn take(&mut self, frame: Option<Result<http_body::Frame<Bytes>, tonic::Status>>) -> Result<(), Refused> {
@@ -83,7 +88,9 @@ impl FramesIn {
         let mut whole = 0;
         loop {
             let rest = &self.read[whole..];
-            frame::check_head(rest, self.limit, self.encoding.as_deref())?;
+            if let Err(refused) = frame::check_head(rest, self.limit, self.encoding.as_deref()) {
+                return if whole > 0 { Ok(whole) } else { Err(refused) };
+            }
             let Some(length) = frame::length(rest) else { return Ok(whole) };
             if rest.len() < length || whole >= BATCH_BYTES {
                 return Ok(whole);

@@ -32,7 +32,7 @@ pub(super) struct Turn {
 }
 
 impl Turn {
-    /// Answers steps until the turn or the budget is over, or enough answers wait. One at least, if there is any.
+    /// Answers steps until the turn or the budget is over, or enough answers wait.
     pub(super) fn take(mut self, budget: &Budget) -> Self {
         let begun = Instant::now();
         while !self.frames.is_empty() && budget.check(0).is_ok() {

@@ -42,7 +42,7 @@ async fn the_calls_timeout_ends_the_session_before_the_caller_gives_up() {
     let (engines, mut gate) = gated();
     let server = Running::with(one_worker(), engines).await;
     // Over gRPC-Web by hand: tonic's own client would give up by itself.
-    let steps = [Step::Scene(one_block()), Step::Query(past())];
+    let steps = [Step::Scene(one_block()), Step::Query(past()), Step::Query(past())];
     let steps = steps.map(|step| PlanRapidMovesRequest { step_id: "a".to_owned(), step: Some(step) });
     let body = steps.map(|step| crate::web::framed(&step.encode_to_vec())).concat();
     let path = "/traverse.v1.PlannerService/PlanRapidMoves";

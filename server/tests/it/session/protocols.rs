@@ -119,7 +119,8 @@ async fn what_is_no_frame_ends_the_session() {
         let body = [&scene[..], rest].concat();
         let answer = send(server.address, post(PATH, "application/connect+proto", body)).await;
         let frames = frames(&answer.body);
-        let (end, _) = frames.split_last().expect("an end");
+        let (end, answers) = frames.split_last().expect("an end");
+        assert_eq!(reasons(answers), ["changed"], "what came before is answered");
         let text = String::from_utf8_lossy(end.1);
         assert!(end.0 == 2 && text.contains(reason), "{reason}: {text}");
     }
