@@ -1,5 +1,7 @@
 //! The command line.
 
+use crate::motion_arguments::MotionArguments;
+use crate::order_arguments::Order;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -26,6 +28,8 @@ pub(crate) enum Command {
     Rapid(Box<Rapid>),
     /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
     Inspect(Inspect),
+    /// Orders the sections of a cutting layout so that they join tightest.
+    Order(Box<Order>),
     /// Orders a TSPLIB matrix (.atsp, .sop, .tsp with listed weights) and prints one JSON line.
     Solve(Solve),
     /// Checks a plan against its request, by code that shares nothing with the planner.
@@ -125,8 +129,9 @@ pub(crate) struct Rapid {
     /// At this Z of the program, millimetres, and above it nothing is in the way. Default: nowhere.
     #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "program")]
     pub(crate) safe_z: Option<f64>,
-    /// Feeds arcs as G2 and G3 at this speed. Default: the profile's; without one arcs are straight G0 moves outside them.
-    #[arg(long, value_name = "MM_PER_MIN", requires = "program")]
+    /// Feeds arcs as G2 and G3 at this speed. Default: the profile's; without one the arcs of a program are straight G0 moves
+    /// outside them.
+    #[arg(long, value_name = "MM_PER_MIN")]
     pub(crate) arc_feed: Option<f64>,
     /// Distance that the tool's centre keeps from obstacles, millimetres: radius plus margin. May come from --machine.
     /// Several (6,4,2.5) are tried largest first; the first that admits a path counts.
@@ -167,6 +172,8 @@ pub(crate) struct Rapid {
     /// How barriers turn convex corners. Default: round.
     #[arg(long, value_enum)]
     pub(crate) corner: Option<Corner>,
+    #[command(flatten)]
+    pub(crate) motion: MotionArguments,
     /// By which method.
     #[arg(long, value_enum, default_value_t = Method::Exact)]
     pub(crate) algorithm: Method,
@@ -210,11 +217,13 @@ pub(crate) enum Method {
 
 #[derive(Args, Debug)]
 pub(crate) struct Check {
-    /// PlanRapidMoveRequest as JSON (`traverse rapid --request`), - for standard input.
+    /// PlanRapidMoveRequest (`traverse rapid --request`) or OrderSectionsRequest (`traverse order --request`) as JSON, - for
+    /// standard input.
     pub(crate) request: PathBuf,
-    /// PlanRapidMoveResponse as JSON (`traverse rapid -o plan.json`), - for standard input.
+    /// PlanRapidMoveResponse (`traverse rapid -o plan.json`) or OrderSectionsResponse (`traverse order -o layout.json`) as
+    /// JSON, - for standard input.
     pub(crate) plan: PathBuf,
-    /// How far inside a barrier still counts as touching it, millimetres.
+    /// How far inside a barrier, or nearer than the gap, still counts as touching, millimetres.
     #[arg(long, value_name = "MM")]
     pub(crate) tolerance: Option<f64>,
     /// Ask this server instead of checking in process.
@@ -224,7 +233,7 @@ pub(crate) struct Check {
 
 #[derive(Args, Debug)]
 pub(crate) struct Call {
-    /// Such as PlanRapidMove, PlanRapidMoves, PlanDistances, CheckRapidMove, GetLimits.
+    /// Such as PlanRapidMove, PlanRapidMoves, PlanDistances, OrderSections, GetLimits.
     pub(crate) method: String,
     /// The request as proto3 JSON, - for standard input. For PlanRapidMoves steps, one per line; each is answered by a line.
     pub(crate) request: PathBuf,
@@ -288,7 +297,7 @@ impl From<SolveMethod> for traverse_tours::Method {
 }
 
 /// A time in seconds.
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let wrong = || format!("{text} is no time; write seconds, such as 2.5 or 60s");
     let seconds: f64 = text.strip_suffix('s').unwrap_or(text).parse().map_err(|_| wrong())?;
     Duration::try_from_secs_f64(seconds).map_err(|_| wrong())

@@ -1,6 +1,7 @@
 //! `traverse rapid --program`: the rapid moves of a G-code program.
 
 use crate::arguments::Rapid;
+use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::picture_file::write_picture;
 use crate::program_table::ProgramTable;
@@ -9,7 +10,7 @@ use crate::{drawing_scene, input};
 use std::path::Path as FilePath;
 use std::time::Instant;
 use traverse_drawing::{ArcMotion, GcodePlane, GcodeUnit, Machine, Shown, picture_of_plan};
-use traverse_geometry::Path;
+use traverse_geometry::{Path, RapidMotion, RapidRules};
 use traverse_programs::{
     Done, Link, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
 };
@@ -38,7 +39,8 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     let scenes = ToolScenes { any, by_tool, safe_z_mm: arguments.safe_z };
     let mut budget = Budget::unlimited();
     budget.deadline = arguments.time_limit.and_then(|limit| Instant::now().checked_add(limit));
-    let rewritten = rewrite(&program, &ScenePlanner::new(&scenes, &budget), &write_options);
+    let rules = rules(arguments, machine.as_ref())?;
+    let rewritten = rewrite(&program, &ScenePlanner::by(&scenes, &rules, &budget), &write_options);
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     for output in &arguments.output {
         match kind_of(output)? {
@@ -53,11 +55,7 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     let table = ProgramTable {
         program: &program,
         rewritten: &rewritten,
-        rapid_mm_per_min: machine.as_ref().and_then(|machine| machine.rapid_mm_per_min),
-        arc_mm_per_min: match write_options.arcs {
-            ArcMotion::Fed { feed_mm_per_min } => Some(feed_mm_per_min),
-            ArcMotion::Chords { .. } => None,
-        },
+        clocks: clocks(arguments, machine.as_ref(), &write_options, rules.motion),
     };
     say!("{table}");
     match rewritten.outcomes.iter().filter(|outcome| outcome.still_hits()).count() {
@@ -69,6 +67,35 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
             "{count} rapid moves still come too near to something (see above)"
         ))),
     }
+}
+
+/// What ways cost and how G0 runs.
+fn rules(arguments: &Rapid, machine: Option<&Machine>) -> Result<RapidRules, Failure> {
+    if arguments.motion.arcs.is_some() {
+        return Err(Failure::Input(
+            "--arcs is for plans; a program's arcs are fed with --arc-feed or as the profile says, otherwise chords".to_owned(),
+        ));
+    }
+    let rules = arguments.motion.rules(machine, arguments.arc_feed)?;
+    match rules.findings().first() {
+        None => Ok(rules),
+        Some(finding) => Err(Failure::Input(finding.message.clone())),
+    }
+}
+
+/// How long ways take as they were and as they are written.
+fn clocks(
+    arguments: &Rapid,
+    machine: Option<&Machine>,
+    write: &WriteOptions,
+    motion: RapidMotion,
+) -> Option<[Clock; 2]> {
+    let feed = match write.arcs {
+        ArcMotion::Fed { feed_mm_per_min } => Some(feed_mm_per_min),
+        ArcMotion::Chords { .. } => None,
+    };
+    let clock = Clock::of(&arguments.motion.speeds(machine, arguments.arc_feed), motion, feed)?;
+    Some([clock.clone(), clock.written(write.straight)])
 }
 
 /// What the profile says of programs, and the command line over it.

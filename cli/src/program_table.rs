@@ -1,8 +1,9 @@
 //! What rewriting a program has saved, as a table; what stays as it is, and why.
 
+use crate::clock::Clock;
 use std::collections::BTreeMap;
 use std::fmt;
-use traverse_programs::{Done, Outcome, Program, Rewritten};
+use traverse_programs::{Done, Link, Outcome, Program, Rewritten};
 
 /// So many changed moves are listed; the rest is counted.
 const LISTED_CHANGES: usize = 40;
@@ -17,37 +18,38 @@ const LISTED_REASONS: usize = 40;
 pub(crate) struct ProgramTable<'a> {
     pub(crate) program: &'a Program<'a>,
     pub(crate) rewritten: &'a Rewritten,
-    /// Speeds, for times; none: no times are told.
-    pub(crate) rapid_mm_per_min: Option<f64>,
-    pub(crate) arc_mm_per_min: Option<f64>,
+    /// How long ways take as they were and as they are written; none: no times are told.
+    pub(crate) clocks: Option<[Clock; 2]>,
 }
 
 impl ProgramTable<'_> {
-    /// Seconds of `mm`, of which `fed_mm` are fed.
-    fn seconds(&self, mm: f64, fed_mm: f64) -> Option<f64> {
-        let rapid = self.rapid_mm_per_min?;
-        let fed = if fed_mm > 0.0 { fed_mm / self.arc_mm_per_min? } else { 0.0 };
-        Some(60.0 * ((mm - fed_mm) / rapid + fed))
+    /// Seconds of a link as it was and as it is, where they are known.
+    fn seconds(&self, link: &Link, outcome: &Outcome) -> Option<[f64; 2]> {
+        let [old, new] = self.clocks.as_ref()?;
+        let path = link.path();
+        let before = old.seconds(&path)?;
+        let after = match &outcome.done {
+            Done::Changed(path) => new.seconds(path)?,
+            _ => before,
+        };
+        Some([before, after])
     }
 
-    fn times(&self, before: f64, after: f64, fed: f64) -> String {
-        match (self.seconds(before, 0.0), self.seconds(after, fed)) {
-            (Some(before), Some(after)) => format!(" {before:>9.2} {after:>9.2}"),
-            _ => String::new(),
-        }
+    fn times(seconds: Option<[f64; 2]>) -> String {
+        seconds.map_or_else(String::new, |[before, after]| format!(" {before:>9.2} {after:>9.2}"))
     }
 
     fn changes(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let outcomes = || self.program.links.iter().zip(&self.rewritten.outcomes);
         let changed = outcomes().filter(|(_, outcome)| matches!(outcome.done, Done::Changed(_)));
         let count = changed.clone().count();
-        let times = if self.rapid_mm_per_min.is_some() { "  before s   after s" } else { "" };
+        let times = if self.clocks.is_some() { "  before s   after s" } else { "" };
         writeln!(f, "lines           before mm   after mm   saved mm{times}")?;
         for (link, outcome) in changed.take(LISTED_CHANGES) {
             let (first, last) = link.lines();
             let lines = if first == last { first.to_string() } else { format!("{first}-{last}") };
-            let Outcome { before_mm, after_mm, fed_mm, hits, .. } = outcome;
-            let times = self.times(*before_mm, *after_mm, *fed_mm);
+            let Outcome { before_mm, after_mm, hits, .. } = outcome;
+            let times = Self::times(self.seconds(link, outcome));
             let hit =
                 if hits.is_empty() { String::new() } else { format!("  too near to {}", hits.join(", ")) };
             let saved = before_mm - after_mm;
@@ -58,7 +60,11 @@ impl ProgramTable<'_> {
         }
         let sum = |value: fn(&Outcome) -> f64| outcomes().map(|(_, outcome)| value(outcome)).sum::<f64>();
         let (before, after) = (sum(|outcome| outcome.before_mm), sum(|outcome| outcome.after_mm));
-        let times = self.times(before, after, sum(|outcome| outcome.fed_mm));
+        let seconds: Option<Vec<[f64; 2]>> =
+            outcomes().map(|(link, outcome)| self.seconds(link, outcome)).collect();
+        let times = Self::times(seconds.map(|each| {
+            each.into_iter().fold([0.0, 0.0], |sum, [before, after]| [sum[0] + before, sum[1] + after])
+        }));
         writeln!(f, "{:<13} {before:>11.3} {after:>10.3} {:>10.3}{times}", "all", before - after)?;
         let made_safe = outcomes().filter(|(_, outcome)| outcome.is_made_safe()).count();
         let known = outcomes().count();

@@ -28,8 +28,9 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         Method::Exact => Algorithm::Exact,
         Method::SupportingLines => Algorithm::SupportingLines,
     };
-    let query =
-        RapidMove { start: from, target: to, algorithm, rules: rules(&arguments, scene.clearance_mm) };
+    let motion = arguments.motion.rules(machine.as_ref(), arguments.arc_feed)?;
+    let rules = rules(&arguments, scene.clearance_mm, motion);
+    let query = RapidMove { start: from, target: to, algorithm, rules };
     let mut request = plan_request(&scene, &query);
     if let (Some(limit), Some(rules)) = (arguments.time_limit, &mut request.rules) {
         let time_limit = prost_types::Duration::try_from(limit).ok();
@@ -59,7 +60,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
 }
 
 /// The rules that the command line asks for. What is wrong with them the service says.
-fn rules(arguments: &Rapid, clearance_mm: f64) -> RapidRules {
+fn rules(arguments: &Rapid, clearance_mm: f64, motion: RapidRules) -> RapidRules {
     let heights = arguments.start_z.map(|start_z_mm| HeightRule {
         start_z_mm,
         target_z_mm: arguments.target_z.unwrap_or(start_z_mm),
@@ -72,7 +73,7 @@ fn rules(arguments: &Rapid, clearance_mm: f64) -> RapidRules {
     if clearances_mm.len() < 2 {
         clearances_mm.clear();
     }
-    RapidRules { heights, clearances_mm, leave: arguments.leave, enter: arguments.enter }
+    RapidRules { heights, clearances_mm, leave: arguments.leave, enter: arguments.enter, ..motion }
 }
 
 /// What a file of the command line is to hold, by the ending of its name.
@@ -174,9 +175,23 @@ fn report(
             let steps = plan.path.as_ref().map_or(0, |path| path.steps.len());
             let arcs =
                 plan.path.iter().flat_map(|path| &path.steps).filter(|step| step.arc.is_some()).count();
-            say!("length       {:.6} mm (straight line {straight:.6})", plan.cost);
-            let proven = if plan.lower_bound == plan.cost { ", proven shortest" } else { "" };
-            say!("lower bound  {:.6} mm{proven}", plan.lower_bound);
+            let length = plan.path.as_ref().map_or(0.0, |path| path.length_mm);
+            say!("length       {length:.6} mm (straight line {straight:.6})");
+            let is_proven = plan.lower_bound == plan.cost;
+            if plan.cost_unit() == v1::CostUnit::Seconds {
+                say!("time         {:.6} s", plan.cost);
+                say!(
+                    "lower bound  {:.6} s{}",
+                    plan.lower_bound,
+                    if is_proven { ", proven best" } else { "" }
+                );
+            } else {
+                say!(
+                    "lower bound  {:.6} mm{}",
+                    plan.lower_bound,
+                    if is_proven { ", proven shortest" } else { "" }
+                );
+            }
             say!("steps        {steps}, of which {arcs} are arcs");
             let heights = plan
                 .path

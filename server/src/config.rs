@@ -85,6 +85,8 @@ impl Config {
         at_least("limits.distance_count", limits.distance_count, 1);
         at_least("session_count", self.session_count, 1);
         at_least("session_vertex_count", self.session_vertex_count, limits.vertex_count);
+        at_least("limits.section_count", limits.section_count, 1);
+        at_least("limits.part_count", limits.part_count, 1);
         at_least("buffered_bytes", self.buffered_bytes, limits.message_bytes);
         if u32::try_from(limits.message_bytes).is_err() {
             findings.push(format!(

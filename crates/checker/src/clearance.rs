@@ -32,6 +32,8 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) boundary: &'a Boundary,
     pub(crate) tree: &'a BoundaryTree,
     pub(crate) tolerance: f64,
+    /// Which of the path's steps each step is a part of.
+    pub(crate) step_of: &'a [usize],
     /// Whether anybody waits for the answer; after a no what is found does not matter.
     pub(crate) go_on: &'a dyn Fn() -> bool,
 }

@@ -175,6 +175,7 @@ fn report_direction(
     let way = outwards.end() - outwards.start();
     let amount = if direction.dot(&way) < 0.0 { way.norm() } else { cross(direction, way).abs() };
     if amount > around.tolerance {
+        let index = around.step_of[index];
         let message = format!("step {index} runs {} mm off the direction asked for", millimetres(amount));
         report(Violation {
             field: format!("path.steps[{index}]"),

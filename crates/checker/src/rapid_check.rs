@@ -1,8 +1,10 @@
 //! Checks a rapid move: ends, arcs, heights, clearance, ways out of and into barriers, and at clearance 0 what touches.
 
+use crate::as_run::AsRun;
 use crate::boundary::Boundary;
 use crate::boundary_tree::BoundaryTree;
 use crate::clearance::{Surroundings, nearer};
+use crate::cost::cost;
 use crate::curve::Curve;
 use crate::heights::Heights;
 use crate::inside::{is_inside, solids_around};
@@ -13,8 +15,9 @@ use crate::seam::seam;
 use crate::strip::Strip;
 use crate::touching::passages;
 use crate::{Violation, ViolationReason};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
-use traverse_geometry::{Path, Point, RapidRules, Scene};
+use traverse_geometry::{CostUnit, Path, Point, RapidRules, Scene};
 
 /// Most violations that are listed for one path.
 pub const VIOLATION_LIMIT: usize = 1000;
@@ -31,8 +34,10 @@ const TOUCH_LIMIT: usize = 500_000;
 pub struct PathCheck {
     /// What is wrong, along the path, at most [`VIOLATION_LIMIT`]; empty: the path is sound.
     pub violations: Vec<Violation>,
-    /// The path's length, vertical moves included, recomputed, millimetres. 0 when a number of the path is not finite.
+    /// What the path costs by the rules, recomputed. 0 when a number of the path is not finite.
     pub cost: f64,
+    /// What it counts.
+    pub cost_unit: CostUnit,
     /// Over the whole path: distance to the nearest obstacle or border less the clearance asked for it; inside,
     /// minus the depth less the clearance. None: nothing is in the way, or no step could be measured.
     /// Negative: too near, or on a way out of or into a barrier that the rules allow. What is passed over counts by
@@ -123,18 +128,30 @@ impl<'a> RapidMoveChecker<'a> {
         let mut violations = not_finite(start, target, path);
         let clearance_mm = self.scene.clearance_mm;
         if !violations.is_empty() {
-            return Some(PathCheck { violations, cost: 0.0, smallest_margin_mm: None, clearance_mm });
+            let cost_unit = rules.cost.unit();
+            return Some(PathCheck {
+                violations,
+                cost: 0.0,
+                cost_unit,
+                smallest_margin_mm: None,
+                clearance_mm,
+            });
         }
         // Also turns NaN into the least tolerance.
         let tolerance = tolerance_mm.max(SMALLEST_TOLERANCE_MM);
         violations.extend(wrong_ends(start, target, path, tolerance));
         let mut steps = curves(path, tolerance, &mut |violation| push(&mut violations, violation));
+        let cost = cost(path, &rules.cost);
+        Heights::new(rules.heights, path, tolerance).violations(|violation| push(&mut violations, violation));
+        let only_a_point = path.steps.is_empty();
+        let AsRun { path, step_of } = AsRun::of(path, rules.dog_leg());
+        if let Cow::Owned(path) = &path {
+            steps = curves(path, tolerance, &mut |_| {});
+        }
         if steps.is_empty() {
             steps.push(Some(Curve::straight(path.start, path.start)));
         }
-        let cost = length(path);
-        let heights = Heights::new(rules.heights, path, tolerance);
-        heights.violations(|violation| push(&mut violations, violation));
+        let heights = Heights::new(rules.heights, &path, tolerance);
         let mut walk = Walk {
             checker: self,
             around: Surroundings {
@@ -142,9 +159,10 @@ impl<'a> RapidMoveChecker<'a> {
                 boundary: &self.boundary,
                 tree: &self.tree,
                 tolerance,
+                step_of: &step_of,
                 go_on,
             },
-            only_a_point: path.steps.is_empty(),
+            only_a_point,
             heights: &heights,
             violations,
             smallest: None,
@@ -167,29 +185,14 @@ impl<'a> RapidMoveChecker<'a> {
         }
         walk.passages(&steps, go_on);
         let smallest_margin_mm = walk.smallest;
-        go_on().then_some(PathCheck { violations: walk.violations, cost, smallest_margin_mm, clearance_mm })
-    }
-}
-
-/// The sum of the lengths of all steps, with the radius that each arc's centre gives.
-fn length(path: &Path) -> f64 {
-    let mut from = path.start;
-    let mut height = path.start_z_mm;
-    path.steps
-        .iter()
-        .map(|step| {
-            let start = std::mem::replace(&mut from, step.end);
-            let below = std::mem::replace(&mut height, step.z_mm);
-            let vertical = below.zip(step.z_mm).map_or(0.0, |(from, to)| (to - from).abs());
-            vertical
-                + match step.arc {
-                    None => (step.end - start).norm(),
-                    Some(arc) => {
-                        arc.sweep.abs() * ((start - arc.center).norm() + (step.end - arc.center).norm()) / 2.0
-                    }
-                }
+        go_on().then_some(PathCheck {
+            violations: walk.violations,
+            cost,
+            cost_unit: rules.cost.unit(),
+            smallest_margin_mm,
+            clearance_mm,
         })
-        .sum()
+    }
 }
 
 /// Goes along a path and collects.
@@ -399,7 +402,8 @@ impl Walk<'_> {
         if self.only_a_point {
             ("the path".to_owned(), "path.start".to_owned())
         } else {
-            (format!("step {index}"), format!("path.steps[{index}]"))
+            let step = self.around.step_of[index];
+            (format!("step {step}"), format!("path.steps[{step}]"))
         }
     }
 }

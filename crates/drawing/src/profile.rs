@@ -4,14 +4,16 @@ mod convert;
 mod error;
 mod line_index;
 mod raw;
+mod speeds;
 mod tools;
 
 pub use error::{ProfileError, ProfileFinding};
+pub use speeds::{JUNCTION_DEVIATION_MM, MachineSpeeds};
 
 use crate::{GcodeSettings, ObstacleRole, Roles, SceneOptions, Selector};
 use std::collections::BTreeMap;
 use std::io::Read;
-use traverse_geometry::{CornerStyle, Vector};
+use traverse_geometry::{CornerStyle, RapidMotion, Vector};
 
 /// The longest profile file, bytes.
 pub const PROFILE_BYTE_LIMIT: u64 = 256 << 10;
@@ -41,8 +43,10 @@ pub struct Machine {
     pub tool_clearances_mm: BTreeMap<u32, f64>,
     /// Where the zeros of work offsets lie in the drawing, millimetres: 0 is G54, 5 is G59, 6 to 8 are G59.1 to G59.3.
     pub offsets: BTreeMap<u8, Vector>,
-    /// How fast G0 moves.
-    pub rapid_mm_per_min: Option<f64>,
+    /// How G0 runs straight moves.
+    pub g0: Option<RapidMotion>,
+    /// How fast it moves.
+    pub speeds: MachineSpeeds,
 }
 
 impl Machine {
@@ -77,6 +81,7 @@ impl Machine {
 /// clearance_mm = 3.0
 /// border_clearance_mm = 0.0        # absent: clearance_mm
 /// corner_style = "round"           # or "miter", then miter_limit = 4.0 if wanted
+/// g0 = "linear"                    # or "dog-leg": each axis at its own speed
 ///
 /// [machine.plasma-2.roles]         # layers by pattern, * stands for any text; or id:, group:, color:
 /// work_area = ["TABLE*"]
@@ -88,6 +93,11 @@ impl Machine {
 /// arc_feed_mm_per_min = 6000       # needed unless arcs = "chords"
 /// straight_feed_mm_per_min = 9000  # needed for straight = "G1"
 /// rapid_mm_per_min = 20000         # absent: no times are told
+/// rapid_x_mm_per_min = 24000       # where each axis has its own speed: for times of axes, and for g0 = "dog-leg"
+/// rapid_y_mm_per_min = 18000
+/// rapid_z_mm_per_min = 6000
+/// acceleration_mm_per_s2 = 1500    # with rapid_mm_per_min: for times with speeding up and slowing down
+/// junction_deviation_mm = 0.01     # permitted deviation at corners; absent: 0.01
 ///
 /// [machine.plasma-2.tools]         # clearances by tool number; absent: clearance_mm
 /// 1 = { clearance_mm = 4.0 }

@@ -1,5 +1,6 @@
 //! What became of a drawing when it was made a scene.
 
+use crate::counted::counted;
 use crate::{DrawingFinding, LengthUnit, Part, Role, Section, Selector, Unused};
 use std::fmt;
 use traverse_geometry::Scene;
@@ -76,7 +77,8 @@ impl fmt::Display for SceneReport {
         writeln!(f, "unit: {}{assumed}", self.unit)?;
         for LayerUse { layer, role, top_mm, curve_count, loop_count } in &self.layers {
             let top = top_mm.map(|top| format!(" up to {top} mm")).unwrap_or_default();
-            writeln!(f, "layer {layer}: {role}{top}, {loop_count} loops of {curve_count} curves")?;
+            let (loops, curves) = (counted(*loop_count, "loop"), counted(*curve_count, "curve"));
+            writeln!(f, "layer {layer}: {role}{top}, {loops} of {curves}")?;
         }
         for selector in &self.unmatched_selectors {
             writeln!(f, "nothing in the drawing fits {selector}")?;

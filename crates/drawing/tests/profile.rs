@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use traverse_drawing::{
-    ArcMotion, GcodeDialect, GcodePlane, GcodeUnit, ObstacleRole, PROFILE_BYTE_LIMIT, ProfileError, Profiles,
-    SceneOptions, StraightMotion, XWord,
+    ArcMotion, GcodeDialect, GcodePlane, GcodeUnit, JUNCTION_DEVIATION_MM, ObstacleRole, PROFILE_BYTE_LIMIT,
+    ProfileError, Profiles, SceneOptions, StraightMotion, XWord,
 };
-use traverse_geometry::CornerStyle;
+use traverse_geometry::{CornerStyle, RapidMotion};
 
 const BOTH: &str = r#"
 [machine.plasma-2]
@@ -97,7 +97,8 @@ fn unknown_keys_are_refused_with_line_and_known_names() {
         (
             "[machine.a]\nclearance = 2\n",
             "shop.toml:2: machine.a.clearance: unknown field `clearance`, expected one of `clearance_mm`, \
-             `border_clearance_mm`, `corner_style`, `miter_limit`, `roles`, `speeds`, `gcode`, `tools`, `offsets`; correct this line",
+             `border_clearance_mm`, `corner_style`, `miter_limit`, `g0`, `roles`, `speeds`, `gcode`, `tools`, `offsets`; correct this \
+             line",
         ),
         (
             "[machine.a.roles]\nobstacles = [\"*\"]\npart = [\"P\"]\n",
@@ -207,7 +208,8 @@ fn tools_offsets_and_the_speed_of_rapids_are_read() {
         [(3, 7.0), (7, 4.0)]
     );
     assert_eq!(machine.offsets.keys().copied().collect::<Vec<_>>(), [1, 6]);
-    assert_eq!(machine.rapid_mm_per_min, Some(20000.0));
+    assert_eq!(machine.speeds.rapid_mm_per_min, Some(20000.0));
+    assert_eq!((machine.g0, machine.speeds.axis_speeds(), machine.speeds.kinematics()), (None, None, None));
     let refused = refused(
         "[machine.m.tools]\n3 = { diameter_mm = 12 }\nx = { clearance_mm = 1 }\n4 = { clearance_mm = -1 }\n\
          [machine.m.offsets]\nG60 = [0, 0]\nG54 = [1e9, 0]\n[machine.m.speeds]\nrapid_mm_per_min = 0\n",
@@ -215,4 +217,27 @@ fn tools_offsets_and_the_speed_of_rapids_are_read() {
     for line in [2, 3, 4, 6, 7, 9] {
         assert!(refused.contains(&format!("shop.toml:{line}: machine.m.")), "{line}: {refused}");
     }
+}
+
+#[test]
+fn speeds_of_axes_and_acceleration_are_read() {
+    let text = "[machine.m]\ng0 = \"dog-leg\"\n[machine.m.speeds]\nrapid_x_mm_per_min = 12000\nrapid_y_mm_per_min = 6000\n\
+                rapid_mm_per_min = 9000\nacceleration_mm_per_s2 = 1500\narc_feed_mm_per_min = 3000\n";
+    let profiles = read(text).unwrap();
+    let machine = profiles.machine("m").unwrap();
+    assert_eq!(machine.g0, Some(RapidMotion::DogLeg));
+    let axes = machine.speeds.axis_speeds().unwrap();
+    assert_eq!((axes.x_mm_per_s, axes.y_mm_per_s, axes.z_mm_per_s), (200.0, 100.0, 0.0));
+    let limits = machine.speeds.kinematics().unwrap();
+    assert_eq!((limits.speed_mm_per_s, limits.z_mm_per_s, limits.feed_mm_per_s), (150.0, 150.0, 50.0));
+    assert_eq!(
+        (limits.acceleration_mm_per_s2, limits.junction_deviation_mm),
+        (1500.0, JUNCTION_DEVIATION_MM)
+    );
+    let refused = refused(
+        "[machine.m]\ng0 = \"dog-leg\"\n[machine.m.speeds]\nrapid_x_mm_per_min = 0\nrapid_z_mm_per_min = nan\n\
+         acceleration_mm_per_s2 = -1\njunction_deviation_mm = 11\narc_feed_mm_per_min = inf\n",
+    );
+    let lines: Vec<&str> = refused.lines().map(|line| line.split(':').nth(1).unwrap()).collect();
+    assert_eq!(lines, ["2", "4", "5", "6", "7", "8"], "{refused}");
 }

@@ -76,6 +76,7 @@ fn curves_of_one_layer_are_told_apart_by_id_group_and_colour() {
             id: Some(id.to_owned()),
             groups: vec![group.to_owned()],
             color: Some(Color { red, green: 0, blue: 0 }),
+            ..Source::default()
         }),
         ..curve
     };

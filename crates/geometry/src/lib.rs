@@ -54,6 +54,7 @@ mod scene_findings;
 mod section;
 mod segment;
 mod tolerance;
+mod travel_cost;
 
 pub use arc::Arc;
 pub use bounds::Bounds;
@@ -67,7 +68,9 @@ pub use path::{Path, PathArc, PathStep};
 pub use point::{Point, Vector, cross, left_of, positive_angle, unit};
 pub use polygon::Polygon;
 pub use polyline::Polyline;
-pub use rapid_rules::{CLEARANCE_CHOICES, EndRule, HeightRule, RapidRules};
+pub use rapid_rules::{
+    ARC_CHORD_TOLERANCE_MM, ArcOutput, CLEARANCE_CHOICES, EndRule, HeightRule, RapidMotion, RapidRules,
+};
 pub use ring::Ring;
 pub use scene::{CornerStyle, MITER_RATIO_LIMIT, Obstacle, Scene, WORK_AREA_ID};
 pub use section::{Part, PlacedSection, Pose, Section, SectionLayout, SlideRule};
@@ -75,4 +78,8 @@ pub use segment::Segment;
 pub use tolerance::{
     ARC_RADIUS_RATIO, CONTACT_TOLERANCE_MM, COORDINATE_LIMIT_MM, CROSSING_WORK_LIMIT, FINDINGS_LIMIT,
     FLAT_ARC_MM, LARGEST_CLEARANCE_MM, RADIUS_LIMIT_MM, SMALLEST_CLEARANCE_MM,
+};
+pub use travel_cost::{
+    ACCELERATION_RANGE_MM_PER_S2, AxisSpeeds, CostUnit, JUNCTION_DEVIATION_LIMIT_MM, Kinematics,
+    SPEED_RANGE_MM_PER_S, TravelCost,
 };

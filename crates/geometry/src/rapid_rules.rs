@@ -1,14 +1,23 @@
 //! What a rapid move may do: the rules that planner and checker share.
 
 use crate::scene_findings::{clearance_finding, height_finding};
-use crate::{COORDINATE_LIMIT_MM, Finding, Obstacle, Reason, Vector};
+use crate::{AxisSpeeds, COORDINATE_LIMIT_MM, Finding, Obstacle, Reason, TravelCost, Vector};
 
 /// Most clearances of one list.
 pub const CLEARANCE_CHOICES: usize = 16;
 
-/// What a rapid move may do. The default: no heights, the scene's clearance, ends outside every barrier.
+/// How far outside of an arc the chords may lie that stand for it, millimetres.
+pub const ARC_CHORD_TOLERANCE_MM: f64 = 0.01;
+
+/// How far a direction may lie off one in which a dog-leg is straight, as a share of its length: rounding.
+const DIRECTION_RATIO: f64 = 1e-9;
+
+/// What a rapid move may do, and what it costs. The default: the shortest, no heights, the scene's clearance, ends outside
+/// every barrier, G0 in straight lines, arcs as arcs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RapidRules {
+    /// How travel is measured.
+    pub cost: TravelCost,
     /// Lets the tool pass over what is low enough. Absent: everything is gone round.
     pub heights: Option<HeightRule>,
     /// Clearances that stand in turn for the scene's, largest first; the first that admits a path counts. Obstacles and
@@ -18,6 +27,32 @@ pub struct RapidRules {
     pub leave: EndRule,
     /// What happens where the target lies inside a barrier.
     pub enter: EndRule,
+    /// How the machine runs straight rapid steps.
+    pub motion: RapidMotion,
+    /// How arcs are put out.
+    pub arcs: ArcOutput,
+}
+
+/// How the machine runs straight level rapid steps (G0).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RapidMotion {
+    /// Interpolated: a straight line.
+    #[default]
+    Linear,
+    /// Both axes start at once, each at its own speed: first along a diagonal whose slope is the ratio of the speeds, until
+    /// one axis has arrived, then straight along the other. Both parts must be clear. Needs
+    /// [`TravelCost::AxisSpeeds`].
+    DogLeg,
+}
+
+/// How arcs are put out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ArcOutput {
+    /// As circular steps, which the machine feeds.
+    #[default]
+    Arcs,
+    /// As straight rapid steps outside of the arc, touching it and within [`ARC_CHORD_TOLERANCE_MM`] of it.
+    Chords,
 }
 
 /// Lets the tool rise and pass over what is low enough.
@@ -54,15 +89,41 @@ pub enum EndRule {
 }
 
 impl RapidRules {
-    /// Everything that is wrong, in the order of the fields: `heights.…`, `clearances_mm[i]`, `leave.direction`,
-    /// `enter.direction`.
+    /// Everything that is wrong, in the order of the fields: `cost.…`, `heights.…`, `clearances_mm[i]`,
+    /// `leave.direction`, `enter.direction`, `motion`.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
-        let mut findings = self.heights.map_or_else(Vec::new, |heights| heights.findings());
+        let mut findings = self.cost.findings(self.heights.is_some());
+        findings.extend(self.heights.map_or_else(Vec::new, |heights| heights.findings()));
         findings.extend(clearances_findings(&self.clearances_mm));
-        findings.extend(self.leave.finding("leave"));
-        findings.extend(self.enter.finding("enter"));
+        let dog_leg = self.dog_leg().filter(|_| findings.is_empty());
+        findings.extend(self.leave.finding("leave", dog_leg));
+        findings.extend(self.enter.finding("enter", dog_leg));
+        if self.motion == RapidMotion::DogLeg && !matches!(self.cost, TravelCost::AxisSpeeds(_)) {
+            let message = "motion is DOG_LEG without speeds of the axes; send cost.axis_speeds, or LINEAR";
+            findings.push(Finding::new("motion", Reason::MissingField, "DOG_LEG", message));
+        }
         findings
+    }
+
+    /// The axes' speeds where the machine runs dog-legs.
+    #[must_use]
+    pub fn dog_leg(&self) -> Option<AxisSpeeds> {
+        match self.cost {
+            TravelCost::AxisSpeeds(speeds) if self.motion == RapidMotion::DogLeg => Some(speeds),
+            _ => None,
+        }
+    }
+}
+
+impl AxisSpeeds {
+    /// The directions in which a dog-leg is a straight line: along an axis, or both axes at full speed. Of length 1.
+    #[must_use]
+    pub fn straight_directions(&self) -> [Vector; 8] {
+        let both = Vector::new(self.x_mm_per_s, self.y_mm_per_s).normalize();
+        let (x, y) = (Vector::new(1.0, 0.0), Vector::new(0.0, 1.0));
+        let other = Vector::new(-both.x, both.y);
+        [x, both, y, other, -x, -both, -y, -other]
     }
 }
 
@@ -108,7 +169,7 @@ impl HeightRule {
 }
 
 impl EndRule {
-    fn finding(&self, field: &str) -> Option<Finding> {
+    fn finding(&self, field: &str, dog_leg: Option<AxisSpeeds>) -> Option<Finding> {
         let Self::Direction(direction) = self else { return None };
         let field = format!("{field}.direction");
         let value = format!("{:?}, {:?}", direction.x, direction.y);
@@ -121,10 +182,22 @@ impl EndRule {
         } else if direction.norm() > 2.0 * COORDINATE_LIMIT_MM {
             let message = format!("{field} is ({value}); send a shorter one");
             Some(Finding::new(field, Reason::OutOfRange, value, message))
+        } else if dog_leg.is_some_and(|speeds| !runs_straight(&speeds, *direction)) {
+            let message = format!(
+                "{field} is ({value}), in which a dog-leg does not run straight; send one along an axis or with both at \
+                 full speed"
+            );
+            Some(Finding::new(field, Reason::OutOfRange, value, message))
         } else {
             None
         }
     }
+}
+
+/// Whether a dog-leg in this direction is a straight line.
+fn runs_straight(speeds: &AxisSpeeds, direction: Vector) -> bool {
+    let direction = direction.normalize();
+    speeds.straight_directions().iter().any(|straight| (straight - direction).norm() <= DIRECTION_RATIO)
 }
 
 fn clearances_findings(clearances: &[f64]) -> Vec<Finding> {
@@ -155,6 +228,7 @@ fn clearances_findings(clearances: &[f64]) -> Vec<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Kinematics;
 
     #[test]
     fn all_findings_come_at_once() {
@@ -169,6 +243,8 @@ mod tests {
             clearances_mm: vec![3.0, 3.0, f64::NAN, 1e-9],
             leave: EndRule::Direction(Vector::zeros()),
             enter: EndRule::Direction(Vector::new(f64::INFINITY, 0.0)),
+            motion: RapidMotion::DogLeg,
+            ..RapidRules::default()
         };
         let found: Vec<_> = rules.findings().into_iter().map(|found| (found.field, found.reason)).collect();
         let expected = [
@@ -179,9 +255,68 @@ mod tests {
             ("clearances_mm[3]", Reason::OutOfRange),
             ("leave.direction", Reason::OutOfRange),
             ("enter.direction", Reason::NotFinite),
+            ("motion", Reason::MissingField),
         ];
         assert_eq!(found, expected.map(|(field, reason)| (field.to_owned(), reason)));
         let many = RapidRules { clearances_mm: vec![1.0; 17], ..RapidRules::default() };
         assert_eq!(many.findings()[0].reason, Reason::TooMany);
+    }
+
+    fn fields(rules: &RapidRules) -> Vec<(String, Reason)> {
+        rules.findings().into_iter().map(|found| (found.field, found.reason)).collect()
+    }
+
+    #[test]
+    fn speeds_are_finite_and_within_their_range() {
+        let speeds = AxisSpeeds { x_mm_per_s: 0.0, y_mm_per_s: f64::NAN, z_mm_per_s: 0.0 };
+        let mut rules = RapidRules { cost: TravelCost::AxisSpeeds(speeds), ..RapidRules::default() };
+        let of_plane = [
+            ("cost.axis_speeds.x_mm_per_s".to_owned(), Reason::OutOfRange),
+            ("cost.axis_speeds.y_mm_per_s".to_owned(), Reason::NotFinite),
+        ];
+        assert_eq!(fields(&rules), of_plane);
+        // Heights need a speed of Z.
+        let flat = HeightRule { start_z_mm: 0.0, target_z_mm: 0.0, highest_z_mm: 0.0, clearance_z_mm: 0.0 };
+        rules.heights = Some(flat);
+        assert_eq!(fields(&rules).last().unwrap().0, "cost.axis_speeds.z_mm_per_s");
+        rules.cost = TravelCost::Kinematics(Kinematics {
+            speed_mm_per_s: 1e9,
+            z_mm_per_s: -1.0,
+            acceleration_mm_per_s2: 0.0,
+            junction_deviation_mm: f64::INFINITY,
+            feed_mm_per_s: -0.5,
+        });
+        let expected = [
+            "speed_mm_per_s",
+            "z_mm_per_s",
+            "acceleration_mm_per_s2",
+            "junction_deviation_mm",
+            "feed_mm_per_s",
+        ];
+        let found: Vec<String> = fields(&rules).into_iter().map(|(field, _)| field).collect();
+        assert_eq!(found, expected.map(|name| format!("cost.kinematics.{name}")));
+        rules.cost = TravelCost::Kinematics(Kinematics {
+            speed_mm_per_s: 100.0,
+            z_mm_per_s: 50.0,
+            acceleration_mm_per_s2: 1000.0,
+            junction_deviation_mm: 0.0,
+            feed_mm_per_s: 0.0,
+        });
+        assert!(rules.findings().is_empty());
+    }
+
+    #[test]
+    fn dog_legs_leave_and_enter_barriers_where_they_run_straight() {
+        let speeds = AxisSpeeds { x_mm_per_s: 200.0, y_mm_per_s: 100.0, z_mm_per_s: 0.0 };
+        let towards = |x, y| RapidRules {
+            cost: TravelCost::AxisSpeeds(speeds),
+            motion: RapidMotion::DogLeg,
+            leave: EndRule::Direction(Vector::new(x, y)),
+            ..RapidRules::default()
+        };
+        for (x, y) in [(1.0, 0.0), (0.0, -3.0), (2.0, 1.0), (-20.0, 10.0)] {
+            assert!(towards(x, y).findings().is_empty(), "{x} {y}");
+        }
+        assert_eq!(fields(&towards(1.0, 1.0)), [("leave.direction".to_owned(), Reason::OutOfRange)]);
     }
 }

@@ -1,44 +1,53 @@
-//! One rapid move at one clearance: ways out of the barriers, the best level, the shortest path there.
+//! One rapid move at one clearance: ways out of the barriers, the best level, the best path there, and how the machine runs
+//! it.
 
 use crate::barriers::Barriers;
-use crate::clear_end::{EndPlace, clear_end};
+use crate::drive::{DogLegTime, Driver};
+use crate::ends::{ClearEnds, clear_ends};
 use crate::level::{Levels, best_level};
+use crate::measure::{AxisTime, Length, Measure};
+use crate::price::{at_rest, bound_of, in_plane, of_search, straight, travel_cost, vertical};
+use crate::quickest::{Way, quickest};
 use crate::rapid_move::least_cost;
-use crate::search::{End, Route};
+use crate::search::{End, Known, Route, Search};
 use crate::separating::separating;
 use crate::shortest_route::ShortestRoute;
 use crate::standing::stand;
 use crate::trace::trace;
 use crate::{RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
-use traverse_geometry::{EndRule, Path, Point, Scene};
+use traverse_geometry::{Path, Scene, TravelCost};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
 /// What a move comes to at one clearance.
 pub(crate) enum Outcome {
-    /// The shortest path.
+    /// The best path.
     Plan(RapidPlan),
     /// None: these obstacles part start from target. Not worked out unless asked for.
     Parted(Vec<String>),
     /// An end lies inside a barrier.
     Refused(Vec<Refusal>),
+    /// There is a path, and none with room for dog-legs was found.
+    NoRoom,
 }
 
 /// A move in a scene, ready to be planned.
 pub(crate) struct AtClearance<'a> {
-    scene: &'a Scene,
-    query: &'a RapidMove,
-    budget: &'a Budget,
-    barriers: &'a Barriers<'a>,
+    pub(crate) scene: &'a Scene,
+    pub(crate) query: &'a RapidMove,
+    pub(crate) budget: &'a Budget,
+    pub(crate) barriers: &'a Barriers<'a>,
     shortest: &'a mut dyn ShortestRoute,
     levels: Levels,
     lower_bound: f64,
 }
 
 /// A shortest path in the plane, and what bends it.
-struct Found {
-    path: Path,
-    bending: Vec<String>,
+pub(crate) struct Found {
+    /// As the route has it, arcs as arcs.
+    pub(crate) path: Path,
+    /// None: there is nothing to run.
+    pub(crate) route: Option<Route>,
 }
 
 impl<'a> AtClearance<'a> {
@@ -59,7 +68,7 @@ impl<'a> AtClearance<'a> {
         self.lower_bound
     }
 
-    /// The shortest path. `names_what_parts`: if there is none, say which obstacles do it.
+    /// The best path. `names_what_parts`: if there is none, say which obstacles do it.
     ///
     /// # Errors
     /// The budget ended.
@@ -69,7 +78,7 @@ impl<'a> AtClearance<'a> {
         stats: &mut Stats,
         observer: &mut dyn Observer,
     ) -> Result<Outcome, Interrupt> {
-        let [start, target] = match self.clear_ends()? {
+        let ends = match clear_ends(self.barriers, self.query, self.budget)? {
             Ok(clear) => clear,
             Err(refusals) => return Ok(Outcome::Refused(refusals)),
         };
@@ -78,42 +87,25 @@ impl<'a> AtClearance<'a> {
         if self.query.start == self.query.target && ends_meet {
             let stays =
                 Path { start_z_mm: heights.map(|rule| rule.start_z_mm), ..Path::at(self.query.start) };
-            return Ok(Outcome::Plan(self.plan(stays, Vec::new())));
+            return Ok(Outcome::Plan(self.plan(stays, 0.0, Vec::new())));
         }
-        let leads = (start - self.query.start).norm() + (target - self.query.target).norm();
-        let vertical: Vec<f64> = (0..self.levels.count()).map(|i| self.levels.vertical(i)).collect();
-        let straight = (target - start).norm();
-        let found = if let [vertical] = vertical[..] {
-            let mut told = Told { observer, by: leads + vertical, most: self.lower_bound };
-            let found = self.search(0, start, target, stats, &mut told);
-            self.lower_bound = told.most;
-            found?.map(|(_, found)| (0, found))
-        } else {
-            let mut bound = self.lower_bound;
-            let solve = |level| self.search(level, start, target, stats, &mut Silent);
-            let tell = |found: f64| {
-                if found + leads > bound {
-                    bound = found + leads;
-                    observer.better_bound(bound);
-                }
-            };
-            let found = best_level(&vertical, straight, solve, tell);
-            self.lower_bound = bound;
-            found?
-        };
-        let Some((level, Found { path, bending })) = found else {
+        let Some((level, found)) = self.best(ends, stats, observer)? else {
             let highest = self.levels.count() - 1;
-            let parting =
-                if names_what_parts { self.parting(highest, start, target, stats)? } else { Vec::new() };
+            let parting = if names_what_parts { self.parting(highest, ends, stats)? } else { Vec::new() };
             return Ok(Outcome::Parted(parting));
         };
-        let plan = self.plan(self.whole(level, &path), bending);
+        let told = self.lower_bound;
+        let bound = self.bound(ends, level, &found);
+        self.lower_bound = told.max(bound);
+        let Some((path, found)) = self.as_run(ends, level, found, stats)? else { return Ok(Outcome::NoRoom) };
+        let bending = found.route.as_ref().map_or_else(Vec::new, |route| self.bending(route));
+        let plan = self.plan(path, bound, bending);
         // Rounding must not set the proven cost and the bounds that were told apart.
-        let proven = plan.cost.max(self.lower_bound);
-        if proven > self.lower_bound {
+        let proven = plan.lower_bound.max(told);
+        if proven > told {
             observer.better_bound(proven);
         }
-        observer.better_cost(proven);
+        observer.better_cost(plan.cost.max(proven));
         Ok(Outcome::Plan(plan))
     }
 
@@ -122,78 +114,227 @@ impl<'a> AtClearance<'a> {
     /// # Errors
     /// The budget ended.
     pub(crate) fn has_path(&mut self, stats: &mut Stats) -> Result<bool, Interrupt> {
-        let Ok([start, target]) = self.clear_ends()? else { return Ok(false) };
+        let Ok(ends) = clear_ends(self.barriers, self.query, self.budget)? else { return Ok(false) };
         let highest = self.levels.count() - 1;
-        Ok(self.search(highest, start, target, stats, &mut Silent)?.is_some())
+        Ok(self.search(highest, ends, stats, &mut Silent)?.is_some())
     }
 
-    fn plan(&self, path: Path, bending_obstacles: Vec<String>) -> RapidPlan {
-        let cost = path.length();
+    /// The level at which the way costs least but for what corners and axes add, and that way.
+    fn best(
+        &mut self,
+        ends: ClearEnds,
+        stats: &mut Stats,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<(usize, Found)>, Interrupt> {
+        let cost = self.query.rules.cost;
+        let leads = self.leads(ends);
+        let rest = self.least_rest();
+        let verticals: Vec<f64> =
+            (0..self.levels.count()).map(|level| vertical(self.levels.vertical(level), &cost)).collect();
+        if let [vertical] = verticals[..] {
+            let mut told = Told { observer, cost, by: leads + vertical + rest, most: self.lower_bound };
+            let found = self.search(0, ends, stats, &mut told);
+            self.lower_bound = told.most;
+            return Ok(found?.map(|found| (0, found)));
+        }
+        let mut bound = self.lower_bound;
+        let solve = |level| {
+            let found = self.search(level, ends, stats, &mut Silent)?;
+            Ok(found.map(|found| (in_plane(&found.path, &cost), found)))
+        };
+        let tell = |found: f64| {
+            if found + leads + rest > bound {
+                bound = found + leads + rest;
+                observer.better_bound(bound);
+            }
+        };
+        let found = best_level(&verticals, straight(ends[1] - ends[0], &cost), solve, tell);
+        self.lower_bound = bound;
+        found
+    }
+
+    /// What ways out and in cost.
+    fn leads(&self, [start, target]: ClearEnds) -> f64 {
+        let cost = &self.query.rules.cost;
+        straight(start - self.query.start, cost) + straight(target - self.query.target, cost)
+    }
+
+    /// What beginning and ending at rest adds at any level.
+    fn least_rest(&self) -> f64 {
+        let lowest = self.levels.vertical(0);
+        at_rest((self.query.target - self.query.start).norm(), lowest, &self.query.rules.cost)
+    }
+
+    /// No path costs less, where `found` is the way that costs least at the best level but for what corners and axes
+    /// add.
+    fn bound(&self, ends: ClearEnds, level: usize, found: &Found) -> f64 {
+        let cost = &self.query.rules.cost;
+        let path = self.whole(level, ends, &found.path);
+        match cost {
+            TravelCost::Length | TravelCost::AxisSpeeds(_) => travel_cost(&path, cost),
+            TravelCost::Kinematics(_) => {
+                let rise = self.levels.vertical(level);
+                let rest = if self.levels.count() == 1 {
+                    at_rest(path.length() - rise, rise, cost)
+                } else {
+                    self.least_rest()
+                };
+                in_plane(&path, cost) + vertical(rise, cost) + rest
+            }
+        }
+    }
+
+    /// The path as the machine runs it; by limits of speed and acceleration the best of several. None: no room for
+    /// dog-legs.
+    fn as_run(
+        &self,
+        ends: ClearEnds,
+        level: usize,
+        found: Found,
+        stats: &mut Stats,
+    ) -> Result<Option<(Path, Found)>, Interrupt> {
+        let Some(path) = self.driven(ends, level, &found)? else { return self.with_room(ends, stats) };
+        let TravelCost::Kinematics(_) = self.query.rules.cost else { return Ok(Some((path, found))) };
+        let first = Way::new(self, level, Vec::new(), path, found);
+        let quickest = quickest(self, ends, self.levels.count(), first, stats);
+        Ok(Some((quickest.path, quickest.found)))
+    }
+
+    /// The whole path as the machine runs it. None: no room for dog-legs.
+    pub(crate) fn driven(
+        &self,
+        ends: ClearEnds,
+        level: usize,
+        found: &Found,
+    ) -> Result<Option<Path>, Interrupt> {
+        let left_out = self.levels.passed_over(self.barriers, level);
+        let driver = self.driver(&left_out);
+        let Some(route) = found.route.as_ref().filter(|_| !driver.is_plain()) else {
+            return Ok(Some(self.whole(level, ends, &found.path)));
+        };
+        let along = driver.drive(route, ends[0], ends[1])?;
+        Ok(along.map(|along| self.whole(level, ends, &along)))
+    }
+
+    fn driver<'b>(&'b self, left_out: &'b BTreeSet<usize>) -> Driver<'b> {
+        let rules = &self.query.rules;
+        let axes = match &rules.cost {
+            TravelCost::AxisSpeeds(speeds) => Some(AxisTime::new(speeds)),
+            _ => None,
+        };
+        let (arcs, dog_leg) = (rules.arcs, rules.dog_leg());
+        Driver { barriers: self.barriers, left_out, arcs, dog_leg, axes, budget: self.budget }
+    }
+
+    /// The best path among those whose straight moves all have room for dog-legs.
+    fn with_room(&self, ends: ClearEnds, stats: &mut Stats) -> Result<Option<(Path, Found)>, Interrupt> {
+        let Some(speeds) = self.query.rules.dog_leg() else { return Ok(None) };
+        let cost = self.query.rules.cost;
+        let verticals: Vec<f64> =
+            (0..self.levels.count()).map(|level| vertical(self.levels.vertical(level), &cost)).collect();
+        let solve = |level| {
+            let left_out = self.levels.passed_over(self.barriers, level);
+            let driver = self.driver(&left_out);
+            let measure = DogLegTime { time: AxisTime::new(&speeds), speeds: &speeds, driver: &driver };
+            let found = self.search_by(measure, level, ends, stats)?;
+            let Some(path) =
+                found.as_ref().map(|found| self.driven(ends, level, found)).transpose()?.flatten()
+            else {
+                return Ok(None);
+            };
+            Ok(found.map(|found| (in_plane(&found.path, &cost), (path, found))))
+        };
+        let found = best_level(&verticals, straight(ends[1] - ends[0], &cost), solve, |_| {})?;
+        Ok(found.map(|(_, found)| found))
+    }
+
+    fn plan(&self, path: Path, bound: f64, bending_obstacles: Vec<String>) -> RapidPlan {
+        let rules = &self.query.rules;
+        let cost = travel_cost(&path, &rules.cost);
         RapidPlan {
             path,
             cost,
-            lower_bound: cost,
+            cost_unit: rules.cost.unit(),
+            lower_bound: bound_of(cost, bound),
             clearance_mm: self.scene.clearance_mm,
             bending_obstacles,
             alternatives: Vec::new(),
         }
     }
 
-    /// Where start and target are clear of every barrier at their own heights: themselves, or where their ways out
-    /// end.
-    fn clear_ends(&self) -> Result<Result<[Point; 2], Vec<Refusal>>, Interrupt> {
-        let RapidMove { start, target, rules, .. } = self.query;
-        let heights = rules.heights;
-        let start_z = heights.map_or(0.0, |rule| rule.start_z_mm);
-        let target_z = heights.map_or(0.0, |rule| rule.target_z_mm);
-        let start = self.clear_end("start", *start, start_z, &rules.leave)?;
-        let target = self.clear_end("target", *target, target_z, &rules.enter)?;
-        Ok(match (start, target) {
-            (Ok(start), Ok(target)) => Ok([start, target]),
-            (start, target) => Err([start.err(), target.err()].into_iter().flatten().flatten().collect()),
-        })
-    }
-
-    fn clear_end(
-        &self,
-        field: &'static str,
-        point: Point,
-        z_mm: f64,
-        rule: &EndRule,
-    ) -> Result<Result<Point, Vec<Refusal>>, Interrupt> {
-        let end = EndPlace { field, point, z_mm };
-        clear_end(self.barriers, self.query.rules.heights, end, rule, self.budget)
-    }
-
-    /// The shortest path in the plane at a level: its length, and it.
+    /// The way in the plane at a level that costs least but for what corners and axes add.
     fn search(
         &mut self,
         level: usize,
-        start: Point,
-        target: Point,
+        ends: ClearEnds,
         stats: &mut Stats,
         observer: &mut dyn Observer,
-    ) -> Result<Option<(f64, Found)>, Interrupt> {
+    ) -> Result<Option<Found>, Interrupt> {
+        match &self.query.rules.cost {
+            TravelCost::Length => {}
+            TravelCost::AxisSpeeds(speeds) => {
+                return self.search_by_told(AxisTime::new(speeds), level, ends, stats, observer);
+            }
+            TravelCost::Kinematics(_) => return self.search_by_told(Length, level, ends, stats, observer),
+        }
+        let [start, target] = ends;
         if start == target {
-            return Ok(Some((0.0, Found { path: Path::at(start), bending: Vec::new() })));
+            return Ok(Some(Found { path: Path::at(start), route: None }));
         }
         let left_out = self.levels.passed_over(self.barriers, level);
-        let [start, target] = self.stands(&left_out, start, target)?;
+        let [start, target] = self.stands(&left_out, ends)?;
         if start.places.is_empty() || target.places.is_empty() {
             return Ok(None);
         }
-        let ends = [&start, &target];
+        let stands = [&start, &target];
         let (found, lower_bound) =
-            self.shortest.shortest(self.barriers, &left_out, ends, stats, self.budget, observer);
+            self.shortest.shortest(self.barriers, &left_out, stands, stats, self.budget, observer);
         observer.better_bound(lower_bound);
         Ok(found?.map(|route| {
-            let path = trace(&route, start.point, target.point);
-            debug_assert!((path.length() - route.cost).abs() <= 1e-6 * route.cost.max(1.0));
-            (path.length(), Found { path, bending: self.bending(&route) })
+            let cost = route.cost;
+            let found = found_along(route, ends);
+            debug_assert!((found.path.length() - cost).abs() <= 1e-6 * cost.max(1.0));
+            found
         }))
     }
 
-    fn stands(&self, left_out: &BTreeSet<usize>, start: Point, target: Point) -> Result<[End; 2], Interrupt> {
+    /// The way in the plane at a level that costs least by another measure.
+    pub(crate) fn search_by(
+        &self,
+        measure: impl Measure,
+        level: usize,
+        ends: ClearEnds,
+        stats: &mut Stats,
+    ) -> Result<Option<Found>, Interrupt> {
+        self.search_by_told(measure, level, ends, stats, &mut Silent)
+    }
+
+    fn search_by_told(
+        &self,
+        measure: impl Measure,
+        level: usize,
+        ends: ClearEnds,
+        stats: &mut Stats,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<Found>, Interrupt> {
+        let [start, target] = ends;
+        if start == target {
+            return Ok(Some(Found { path: Path::at(start), route: None }));
+        }
+        let left_out = self.levels.passed_over(self.barriers, level);
+        let [start, target] = self.stands(&left_out, ends)?;
+        if start.places.is_empty() || target.places.is_empty() {
+            return Ok(None);
+        }
+        let known = Known::new(self.barriers, &left_out);
+        let mut search = Search::by(measure, known, &start, &target);
+        let found = search.run(self.budget, &mut stats.expanded_nodes, observer);
+        stats.barrier_vertices = stats.barrier_vertices.max(search.known.features.len() as u64);
+        observer.better_bound(search.lower_bound);
+        Ok(found?.map(|route| found_along(route, ends)))
+    }
+
+    fn stands(&self, left_out: &BTreeSet<usize>, [start, target]: ClearEnds) -> Result<[End; 2], Interrupt> {
         Ok([
             stand(self.barriers, left_out, start, self.budget)?,
             stand(self.barriers, left_out, target, self.budget)?,
@@ -201,15 +342,9 @@ impl<'a> AtClearance<'a> {
     }
 
     /// Ids of the obstacles that part start from target at a level without a path.
-    fn parting(
-        &self,
-        level: usize,
-        start: Point,
-        target: Point,
-        stats: &mut Stats,
-    ) -> Result<Vec<String>, Interrupt> {
+    fn parting(&self, level: usize, ends: ClearEnds, stats: &mut Stats) -> Result<Vec<String>, Interrupt> {
         let left_out = self.levels.passed_over(self.barriers, level);
-        let [start, target] = self.stands(&left_out, start, target)?;
+        let [start, target] = self.stands(&left_out, ends)?;
         for end in [&start, &target] {
             if end.places.is_empty() {
                 return Ok(self.named(end.shut_in_by.iter().copied()));
@@ -220,7 +355,8 @@ impl<'a> AtClearance<'a> {
     }
 
     /// The whole path: out, up, along, down, in.
-    fn whole(&self, level: usize, along: &Path) -> Path {
+    fn whole(&self, level: usize, [clear_start, _]: ClearEnds, along: &Path) -> Path {
+        debug_assert_eq!(along.start, clear_start, "a way begins where it is clear");
         let RapidMove { start, target, rules, .. } = self.query;
         let mut path = match rules.heights {
             Some(rule) => Path::at_height(*start, rule.start_z_mm),
@@ -255,9 +391,14 @@ impl<'a> AtClearance<'a> {
     }
 }
 
+fn found_along(route: Route, [start, target]: ClearEnds) -> Found {
+    Found { path: trace(&route, start, target), route: Some(route) }
+}
+
 /// Hears a search's bounds and passes them on as the whole move's.
 struct Told<'a> {
     observer: &'a mut dyn Observer,
+    cost: TravelCost,
     /// What the whole costs beside the search's part.
     by: f64,
     /// The best bound so far.
@@ -268,7 +409,7 @@ impl Observer for Told<'_> {
     fn better_cost(&mut self, _cost: f64) {}
 
     fn better_bound(&mut self, lower_bound: f64) {
-        let bound = lower_bound + self.by;
+        let bound = of_search(lower_bound, &self.cost) + self.by;
         if bound > self.most {
             self.most = bound;
             self.observer.better_bound(bound);

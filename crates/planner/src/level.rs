@@ -54,7 +54,7 @@ impl Levels {
         passed_over(barriers, self.rule, self.z_mm[level])
     }
 
-    /// What rising to a level and coming down from it costs, millimetres.
+    /// How far rising to a level and coming down from it is, millimetres.
     pub(crate) fn vertical(&self, level: usize) -> f64 {
         let z = self.z_mm[level];
         self.rule.map_or(0.0, |rule| (z - rule.start_z_mm) + (z - rule.target_z_mm))

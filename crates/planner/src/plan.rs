@@ -1,6 +1,6 @@
 //! The question and the answer of a rapid move.
 
-use traverse_geometry::{Path, Point, RapidRules};
+use traverse_geometry::{CostUnit, Path, Point, RapidRules};
 use traverse_solve::Interrupt;
 
 /// One rapid move to plan.
@@ -40,9 +40,12 @@ pub enum Answer {
 pub struct RapidPlan {
     /// The way.
     pub path: Path,
-    /// Its length, vertical moves included, millimetres.
+    /// What it costs by the rules' measure: its length in space, or seconds.
     pub cost: f64,
-    /// No collision-free path of horizontal and vertical moves that follows the rules costs less. Equal to `cost` when proven.
+    /// What cost and bound count.
+    pub cost_unit: CostUnit,
+    /// No collision-free path of horizontal and vertical moves that follows the rules costs less, whichever way arcs are
+    /// put out and axes run. Equal to `cost` when proven.
     pub lower_bound: f64,
     /// The scene's clearance that was used, millimetres: of the rules' clearances the first that admits a path.
     pub clearance_mm: f64,
@@ -109,6 +112,12 @@ pub enum Refusal {
         /// Why there is no way.
         why: &'static str,
     },
+    /// Each axis runs at its own speed, and every way leads through a passage that is no wider than the path and slanted.
+    #[error(
+        "every way leads through a passage with no room for dog-legs: lower the clearance, or run straight moves as G1 and \
+         ask for linear motion"
+    )]
+    NoRoomForDogLegs,
     /// The published scan does not cover the request.
     #[error("the published supporting-line scan does not cover this request: {why}; use the exact algorithm")]
     PublishedMethodNotApplicable {
@@ -127,7 +136,7 @@ pub enum Refusal {
 
 impl Refusal {
     /// Whether a smaller clearance may help.
-    pub(crate) fn is_about_an_end(&self) -> bool {
-        matches!(self, Self::EndInsideBarrier { .. } | Self::EndShutIn { .. })
+    pub(crate) fn is_about_room(&self) -> bool {
+        matches!(self, Self::EndInsideBarrier { .. } | Self::EndShutIn { .. } | Self::NoRoomForDogLegs)
     }
 }

@@ -10,10 +10,11 @@ use crate::at_clearance::{AtClearance, Outcome};
 use crate::barriers::Barriers;
 use crate::feasible::feasible_clearance;
 use crate::lowered::with_clearance;
+use crate::price::{at_rest, straight, vertical};
 use crate::shortest_route::{MeetingBarriers, ShortestRoute};
 use crate::supporting_lines::Scan;
 use crate::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
-use traverse_geometry::{EndRule, Path, Scene};
+use traverse_geometry::{EndRule, Path, Scene, TravelCost};
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// Plans one rapid move in a valid scene, by rules without findings.
@@ -36,7 +37,7 @@ pub fn plan_rapid_move(
         let scene = with_clearance(scene, clearance);
         match plan_in(&scene, query, false, budget, &mut stats, observer) {
             Ok(Answer::NoPath(_)) => {}
-            Err(refusals) if refusals.iter().all(Refusal::is_about_an_end) => {}
+            Err(refusals) if refusals.iter().all(Refusal::is_about_room) => {}
             Ok(answer) => return Ok((answer, stats)),
             Err(refusals) => return Err(refusals),
         }
@@ -100,6 +101,7 @@ pub(crate) fn plan_among(
     let exact = match outcome.map_err(interrupted(bound))? {
         Outcome::Plan(plan) => plan,
         Outcome::Refused(refusals) => return Err(refusals),
+        Outcome::NoRoom => return Err(vec![Refusal::NoRoomForDogLegs]),
         Outcome::Parted(separating_obstacles) => {
             let feasible_clearance = FeasibleClearance::Unknown;
             return Ok(Answer::NoPath(NoPath { separating_obstacles, feasible_clearance }));
@@ -132,13 +134,17 @@ pub(crate) fn with_feasible_clearance(
 /// No path costs less, whatever is in the way.
 pub(crate) fn least_cost(query: &RapidMove) -> f64 {
     let rise = query.rules.heights.map_or(0.0, |rule| (rule.target_z_mm - rule.start_z_mm).abs());
-    (query.target - query.start).norm() + rise
+    let (by, cost) = (query.target - query.start, &query.rules.cost);
+    straight(by, cost) + vertical(rise, cost) + at_rest(by.norm(), rise, cost)
 }
 
 fn published_scan(scene: &Scene, query: &RapidMove) -> Result<Scan, Refusal> {
     let not_applicable = |why| Err(Refusal::PublishedMethodNotApplicable { why });
     if query.rules.heights.is_some() {
         return not_applicable("it knows no heights");
+    }
+    if query.rules.cost != TravelCost::Length {
+        return not_applicable("it knows no cost but length");
     }
     if query.rules.leave != EndRule::Refuse || query.rules.enter != EndRule::Refuse {
         return not_applicable("it knows no rule for ends inside a barrier");

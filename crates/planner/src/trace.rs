@@ -1,10 +1,8 @@
 //! From a route of the search to moves: the planned ones, which are tested, and the answered ones.
 
+use crate::drive::SHORTEST_ARC_MM;
 use crate::search::Route;
 use traverse_geometry::{Path, Point};
-
-/// An arc shorter than this is left out of the answer, millimetres.
-const SHORTEST_ARC_MM: f64 = 1e-9;
 
 /// The path that a route answers with. Costs the route's cost, but for rounding.
 pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {

@@ -5,7 +5,9 @@ mod support;
 
 use rand::RngExt;
 use support::{disc, mitred, point, rectangle, scene, stars};
-use traverse_geometry::{EndRule, HeightRule, Point, RapidRules, Scene, Vector};
+use traverse_geometry::{
+    ArcOutput, AxisSpeeds, EndRule, HeightRule, Point, RapidRules, Scene, TravelCost, Vector,
+};
 use traverse_planner::{
     Algorithm, Answer, DistanceEnd, DistanceQuery, DistancesRefusal, RapidMove, Refusal, plan_distances,
     plan_rapid_move,
@@ -140,8 +142,11 @@ fn rules_hold_for_every_entry() {
         let level = RapidRules { heights: heights(0.0, 0.0), ..nearest.clone() };
         let slanted = RapidRules { heights: heights(-2.0, 5.0), ..nearest.clone() };
         let several = RapidRules { clearances_mm: vec![5.0, 2.0, 0.5], ..Default::default() };
+        let speeds = AxisSpeeds { x_mm_per_s: 200.0, y_mm_per_s: 100.0, z_mm_per_s: 50.0 };
+        let seconds = RapidRules { cost: TravelCost::AxisSpeeds(speeds), ..level.clone() };
+        let chords = RapidRules { arcs: ArcOutput::Chords, ..nearest.clone() };
         let all = RapidRules { clearances_mm: vec![5.0, 2.0, 0.5], ..slanted.clone() };
-        for rules in [RapidRules::default(), nearest, mixed, level, slanted, several, all] {
+        for rules in [RapidRules::default(), nearest, mixed, level, slanted, several, seconds, chords, all] {
             for to in [&[][..], &to] {
                 match assert_plans(&scene, &question(&from, to, &rules), &format!("seed {seed} {rules:?}")) {
                     Some(_) => answered += 1,
@@ -205,7 +210,10 @@ fn the_published_scan_prices_its_own_ways() {
         assert!(scanned >= exact - 1e-9, "{scanned} {exact}");
     }
     let inside_the_hull = scan(&[point(-5.0, 2.0), point(4.0, 5.0)]);
-    assert!(matches!(inside_the_hull, Ok(_) | Err(DistancesRefusal::PublishedMethodNotApplicable { .. })));
+    assert!(matches!(
+        inside_the_hull,
+        Ok(_) | Err(DistancesRefusal::Move(Refusal::PublishedMethodNotApplicable { .. }))
+    ));
 }
 
 #[test]

@@ -61,7 +61,7 @@ pub use modal::Lost;
 pub use options::{Offsets, ReadOptions};
 pub use outcome::{Done, Outcome};
 pub use program::{PROGRAM_BYTE_LIMIT, Program};
-pub use rapid_planner::{Found, RapidPlanner, Travel};
+pub use rapid_planner::{Found, RapidPlanner, Straight, Travel};
 pub use reason::Reason;
 pub use rewrite::{Rewritten, WriteOptions, rewrite};
 pub use scene_planner::{ScenePlanner, ToolScenes};

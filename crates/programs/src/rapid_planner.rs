@@ -1,7 +1,10 @@
 //! The seam between programs and whoever knows what lies in the way.
 
 use crate::reason::Reason;
-use traverse_geometry::{Path, Point};
+use traverse_geometry::{ArcOutput, Path, Point};
+
+/// A way that is shorter by less stays as it is, millimetres.
+pub(crate) const LEAST_GAIN_MM: f64 = 0.01;
 
 /// A way to find: from here to there, by this tool, at this height.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +20,19 @@ pub struct Travel {
     pub tool: Option<u32>,
     /// Whether `tool` can be relied on: otherwise the largest clearance counts.
     pub tool_is_known: bool,
+    /// How its straight moves are run: fed ones are interpolated, whatever G0 does.
+    pub straight: Straight,
+    /// How its arcs are put out.
+    pub arcs: ArcOutput,
+}
+
+/// How straight moves are run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Straight {
+    /// As G0.
+    Rapid,
+    /// As G1.
+    Fed,
 }
 
 /// What lies on a way.
@@ -45,7 +61,17 @@ pub trait RapidPlanner {
     /// What lies on `path`, by code that shares nothing with the planning.
     fn look(&self, travel: &Travel, path: &Path) -> Found;
 
-    /// The shortest free way, with `reserve_mm` more room than asked for: what rounding its numbers may use up.
+    /// What a way costs, in a unit of the planner's own.
+    fn cost(&self, path: &Path) -> f64 {
+        path.length()
+    }
+
+    /// A way that costs less by less than this is no better, in the unit of [`RapidPlanner::cost`].
+    fn least_gain(&self) -> f64 {
+        LEAST_GAIN_MM
+    }
+
+    /// The best free way, with `reserve_mm` more room than asked for: what rounding its numbers may use up.
     ///
     /// # Errors
     /// Why there is none.

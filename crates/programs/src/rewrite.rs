@@ -10,16 +10,13 @@ use crate::link::{Heights, Link};
 use crate::modal::Feed;
 use crate::outcome::{Done, Outcome};
 use crate::program::Program;
-use crate::rapid_planner::{RapidPlanner, Travel};
+use crate::rapid_planner::{RapidPlanner, Straight, Travel};
 use crate::reason::Reason;
 use crate::rounded::{Rounded, Rounding};
 use crate::spelling::Spelling;
 use crate::way_blocks::{Motions, edits, leaves_last};
 use traverse_drawing::{ArcMotion, GcodeDialect, GcodeUnit, StraightMotion};
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point};
-
-/// A way that is shorter by less stays as it is, millimetres.
-const LEAST_GAIN_MM: f64 = 0.01;
+use traverse_geometry::{ArcOutput, CONTACT_TOLERANCE_MM, Path, Point};
 
 /// How much more room ways are planned with, in last places: what rounding may use up.
 const RESERVE_STEPS: f64 = 2.0;
@@ -122,29 +119,39 @@ impl Linking<'_> {
             z: link.heights.lowest(),
             tool: link.tool,
             tool_is_known: link.tool_is_known,
+            straight: Straight::Rapid,
+            arcs: ArcOutput::Arcs,
         }
     }
 
     /// The new way; none when the old one is as good.
     fn changed(&self, travel: &Travel, now: &Outcome) -> Result<Option<(Rounded, Vec<Edit>)>, Reason> {
         let fed = self.options.straight != StraightMotion::Rapid;
+        let travel = Travel { straight: if fed { Straight::Fed } else { Straight::Rapid }, ..*travel };
         let mut straight = Path::at(travel.from);
         straight.line_to(travel.to);
-        let direct = self.planner.look(travel, &straight).is_free();
+        let direct = self.planner.look(&travel, &straight).is_free();
+        let before = self.planner.cost(&self.link.path());
+        let gains = |way: &Path| {
+            !now.hits.is_empty() || fed || self.planner.cost(way) < before - self.planner.least_gain()
+        };
         let (least, most) = self.places();
         for places in least..=most {
             let grid = self.grid(travel.from, places)?;
-            let way = if direct {
-                straight.clone()
-            } else {
-                self.planner.shortest(travel, RESERVE_STEPS * grid.step_mm())?
-            };
-            let gains =
-                |way: &Path| !now.hits.is_empty() || fed || way.length() < now.before_mm - LEAST_GAIN_MM;
-            if !gains(&way) {
-                return Ok(None);
-            }
             for arcs in self.arc_motions() {
+                let output = match arcs {
+                    ArcMotion::Fed { .. } => ArcOutput::Arcs,
+                    ArcMotion::Chords { .. } => ArcOutput::Chords,
+                };
+                let travel = Travel { arcs: output, ..travel };
+                let way = if direct {
+                    straight.clone()
+                } else {
+                    self.planner.shortest(&travel, RESERVE_STEPS * grid.step_mm())?
+                };
+                if !gains(&way) {
+                    return Ok(None);
+                }
                 let rounding = Rounding {
                     grid,
                     dialect: self.program.dialect,
@@ -154,7 +161,7 @@ impl Linking<'_> {
                     leaves_last: leaves_last(self.link, self.options.straight),
                 };
                 let rounded = rounding.round(&way)?;
-                if self.is_sound(travel, &rounded, grid) {
+                if self.is_sound(&travel, &rounded, grid) {
                     if !gains(&rounded.path) {
                         return Ok(None);
                     }

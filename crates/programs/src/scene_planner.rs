@@ -1,18 +1,23 @@
 //! Plans and checks in the plane: obstacles reach up without end, but for a height above which nothing is in the way.
 
-use crate::rapid_planner::{Found, RapidPlanner, Travel};
+use crate::rapid_planner::{Found, LEAST_GAIN_MM, RapidPlanner, Straight, Travel};
 use crate::reason::Reason;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::rc::Rc;
-use traverse_checker::RapidMoveChecker;
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Path, Point, RapidRules, Scene, unit};
-use traverse_planner::{Algorithm, Answer, RapidMove, Refusal, plan_rapid_move};
+use traverse_checker::{PathCheck, RapidMoveChecker};
+use traverse_geometry::{
+    ArcOutput, CONTACT_TOLERANCE_MM, CostUnit, Path, Point, RapidMotion, RapidRules, Scene, unit,
+};
+use traverse_planner::{Algorithm, Answer, RapidMove, Refusal, plan_rapid_move, travel_cost};
 use traverse_solve::{Budget, Silent};
 
 /// An end within the reserve is left by a step of so many reserves.
 const STEP_OUT_RESERVES: f64 = 3.0;
+
+/// A way that is quicker by less stays as it is, seconds.
+const LEAST_GAIN_S: f64 = 0.001;
 
 /// In so many directions.
 const STEP_OUT_DIRECTIONS: u32 = 16;
@@ -31,6 +36,8 @@ pub struct ToolScenes {
 /// Plans round the obstacles of scenes.
 pub struct ScenePlanner<'a> {
     scenes: &'a ToolScenes,
+    /// What ways cost and how G0 runs; nothing else.
+    rules: RapidRules,
     budget: &'a Budget,
     any: Prepared<'a>,
     by_tool: BTreeMap<u32, Prepared<'a>>,
@@ -64,11 +71,20 @@ impl<'a> Prepared<'a> {
 }
 
 impl<'a> ScenePlanner<'a> {
-    /// Makes the scenes ready. Cost: O(n log n) for n vertices, for each.
+    /// Makes the scenes ready, for the shortest ways and a G0 in straight lines. Cost: O(n log n) for n vertices, for each.
     #[must_use]
     pub fn new(scenes: &'a ToolScenes, budget: &'a Budget) -> Self {
+        Self::by(scenes, &RapidRules::default(), budget)
+    }
+
+    /// The same for ways that cost least by the rules' measure, and for a G0 as they say. Of the rules, which have no
+    /// findings, nothing else counts.
+    #[must_use]
+    pub fn by(scenes: &'a ToolScenes, rules: &RapidRules, budget: &'a Budget) -> Self {
+        let rules = RapidRules { cost: rules.cost, motion: rules.motion, ..RapidRules::default() };
         Self {
             scenes,
+            rules,
             budget,
             any: Prepared::new(&scenes.any),
             by_tool: scenes.by_tool.iter().map(|(tool, scene)| (*tool, Prepared::new(scene))).collect(),
@@ -88,8 +104,24 @@ impl<'a> ScenePlanner<'a> {
         travel.z.zip(self.scenes.safe_z_mm).is_some_and(|(z, safe)| z >= safe)
     }
 
-    fn plan(&self, scene: &Scene, from: Point, to: Point) -> Result<Path, Stop> {
-        let (algorithm, rules) = (Algorithm::Exact, RapidRules::default());
+    /// The rules for a way. Arcs of linear machines become chords when they are rounded, and are chords of dog-legs at once.
+    fn rules(&self, travel: &Travel) -> RapidRules {
+        let motion = if travel.straight == Straight::Fed { RapidMotion::Linear } else { self.rules.motion };
+        let arcs = if motion == RapidMotion::DogLeg { travel.arcs } else { ArcOutput::Arcs };
+        RapidRules { motion, arcs, ..self.rules.clone() }
+    }
+
+    /// How much more room a dog-leg needs than a line for the same rounding: where its ends move by as much, its corner
+    /// moves by so much more.
+    fn more_room(&self, travel: &Travel) -> f64 {
+        self.rules(travel).dog_leg().map_or(1.0, |speeds| {
+            let ratio = speeds.x_mm_per_s / speeds.y_mm_per_s;
+            1.0 + ratio.max(1.0 / ratio)
+        })
+    }
+
+    fn plan(&self, scene: &Scene, travel: &Travel, from: Point, to: Point) -> Result<Path, Stop> {
+        let (algorithm, rules) = (Algorithm::Exact, self.rules(travel));
         let query = RapidMove { start: from, target: to, algorithm, rules };
         match plan_rapid_move(scene, &query, self.budget, &mut Silent).map_err(Stop::Refused)? {
             (Answer::Plan(plan), _) => Ok(plan.path),
@@ -101,7 +133,7 @@ impl<'a> ScenePlanner<'a> {
     fn reason(&self, prepared: &Prepared<'_>, travel: &Travel, stop: &Stop, reserve_mm: f64) -> Reason {
         let refusals = match stop {
             Stop::Refused(refusals) => refusals,
-            Stop::NoPath(_) => match self.plan(prepared.scene, travel.from, travel.to) {
+            Stop::NoPath(_) => match self.plan(prepared.scene, travel, travel.from, travel.to) {
                 Err(Stop::NoPath(separating)) => return Reason::NoPath { separating },
                 _ => return Reason::Rounding,
             },
@@ -110,15 +142,33 @@ impl<'a> ScenePlanner<'a> {
     }
 
     /// A point beside `end` that keeps the reserve, and can be reached from it straight.
-    fn step_out(&self, prepared: &Prepared<'_>, wider: &Scene, end: Point, reserve_mm: f64) -> Option<Point> {
+    fn step_out(
+        &self,
+        prepared: &Prepared<'_>,
+        wider: &Scene,
+        travel: &Travel,
+        end: Point,
+        reserve_mm: f64,
+    ) -> Option<Point> {
         (0..STEP_OUT_DIRECTIONS).find_map(|direction| {
             let angle = TAU * f64::from(direction) / f64::from(STEP_OUT_DIRECTIONS);
             let beside = end + unit(angle) * (STEP_OUT_RESERVES * reserve_mm);
             let mut path = Path::at(end);
             path.line_to(beside);
-            let free = prepared.checker.check(end, beside, &path, CONTACT_TOLERANCE_MM).is_sound();
-            (free && self.plan(wider, beside, beside).is_ok()).then_some(beside)
+            let free = self.check(prepared, travel, &path).is_sound();
+            (free && self.plan(wider, travel, beside, beside).is_ok()).then_some(beside)
         })
+    }
+}
+
+impl ScenePlanner<'_> {
+    fn check(&self, prepared: &Prepared<'_>, travel: &Travel, path: &Path) -> PathCheck {
+        let rules = self.rules(travel);
+        let check =
+            prepared
+                .checker
+                .check_while(&rules, path.start, path.end(), path, CONTACT_TOLERANCE_MM, &|| true);
+        check.expect("invariant: only a no gives up")
     }
 }
 
@@ -143,8 +193,7 @@ impl RapidPlanner for ScenePlanner<'_> {
         if self.is_above_all(travel) {
             return Found { hits: Vec::new(), margin_mm: None };
         }
-        let checker = &self.prepared(travel).checker;
-        let check = checker.check(path.start, path.end(), path, CONTACT_TOLERANCE_MM);
+        let check = self.check(self.prepared(travel), travel, path);
         let mut hits: Vec<String> = Vec::new();
         for violation in check.violations {
             let id = violation.obstacle.unwrap_or_else(|| violation.reason.to_string());
@@ -155,10 +204,22 @@ impl RapidPlanner for ScenePlanner<'_> {
         Found { hits, margin_mm: check.smallest_margin_mm }
     }
 
+    fn cost(&self, path: &Path) -> f64 {
+        travel_cost(path, &self.rules.cost)
+    }
+
+    fn least_gain(&self) -> f64 {
+        match self.rules.cost.unit() {
+            CostUnit::Millimetres => LEAST_GAIN_MM,
+            CostUnit::Seconds => LEAST_GAIN_S,
+        }
+    }
+
     fn shortest(&self, travel: &Travel, reserve_mm: f64) -> Result<Path, Reason> {
         let prepared = self.prepared(travel);
+        let reserve_mm = reserve_mm * self.more_room(travel);
         let wider = prepared.wider(reserve_mm);
-        let stop = match self.plan(&wider, travel.from, travel.to) {
+        let stop = match self.plan(&wider, travel, travel.from, travel.to) {
             Ok(path) => return Ok(path),
             Err(stop) => stop,
         };
@@ -168,12 +229,13 @@ impl RapidPlanner for ScenePlanner<'_> {
         }
         // Ends that keep the clearance but not the reserve are left by a small step first.
         let leave = |which: &str, end: Point| {
-            let out = || self.step_out(prepared, &wider, end, reserve_mm).ok_or(Reason::Rounding);
+            let out = || self.step_out(prepared, &wider, travel, end, reserve_mm).ok_or(Reason::Rounding);
             if stop.names(which) { out() } else { Ok(end) }
         };
         let (from, to) = (leave("start", travel.from)?, leave("target", travel.to)?);
-        let between =
-            self.plan(&wider, from, to).map_err(|stop| self.reason(prepared, travel, &stop, reserve_mm))?;
+        let between = self
+            .plan(&wider, travel, from, to)
+            .map_err(|stop| self.reason(prepared, travel, &stop, reserve_mm))?;
         let mut path = Path::at(travel.from);
         path.line_to(from);
         path.steps.extend(between.steps);
@@ -193,7 +255,7 @@ fn too_deep(refusal: &Refusal, reserve_mm: f64) -> Option<Reason> {
                 depth_mm,
             })
         }
-        Refusal::EndShutIn { .. } => Some(Reason::Refused(refusal.to_string())),
+        Refusal::EndShutIn { .. } | Refusal::NoRoomForDogLegs => Some(Reason::Refused(refusal.to_string())),
         Refusal::Interrupted { .. } => Some(Reason::Interrupted),
         Refusal::PublishedMethodNotApplicable { why } => Some(Reason::Refused((*why).to_owned())),
     }

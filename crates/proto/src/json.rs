@@ -104,7 +104,12 @@ fn most_values(limits: &Limits) -> usize {
     let items = limits.vertex_count.saturating_mul(6);
     let obstacles = limits.obstacle_count.saturating_mul(16);
     let steps = limits.step_count.saturating_mul(16);
-    items.saturating_add(obstacles).saturating_add(steps).saturating_add(1000)
+    // A section with its copies in a given order, a part with its pole.
+    let sections =
+        limits.section_count.saturating_mul(32).saturating_add(limits.part_count.saturating_mul(16));
+    let rules = limits.rule_count().saturating_mul(8);
+    let scene = items.saturating_add(obstacles).saturating_add(steps);
+    scene.saturating_add(sections).saturating_add(rules).saturating_add(1000)
 }
 
 #[cfg(test)]
@@ -158,7 +163,14 @@ mod tests {
 
     #[test]
     fn too_many_values_are_refused_before_parsing() {
-        let limits = Limits { vertex_count: 10, obstacle_count: 1, step_count: 1, ..Limits::default() };
+        let limits = Limits {
+            vertex_count: 10,
+            obstacle_count: 1,
+            step_count: 1,
+            section_count: 1,
+            part_count: 1,
+            ..Limits::default()
+        };
         let text = format!(r#"{{"scene":[{}0]}}"#, "0,".repeat(2000));
         let refused = request_from_json(&plan(), text.as_bytes(), &limits).unwrap_err();
         assert_eq!(refused.reason(), "MALFORMED_JSON");

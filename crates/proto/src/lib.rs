@@ -55,12 +55,14 @@ pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "
 
 pub use count::check_counts;
 pub use decode::{
-    CheckQuestion, DistancesQuestion, PlanQuestion, StepQuestion, edit_from_wire, path_from_wire,
+    CheckQuestion, CheckSectionsQuestion, DistancesQuestion, OrderQuestion, OrderReturns, PlanQuestion,
+    StepQuestion, edit_from_wire, order_from_wire, path_from_wire, requested_order_time_limit,
     requested_time_limit, scene_from_wire, step_id_of, time_limit_in,
 };
 pub use encode::{
-    check_answer, check_request, distances_answer, plan_answer, plan_request, problem, scene_changed,
-    scene_message, sound_answer, step_plan,
+    CountedLimit, Improvement, SearchFacts, check_answer, check_request, check_sections_answer,
+    check_sections_request, distances_answer, order_answer, order_request, plan_answer, plan_request,
+    problem, scene_changed, scene_message, sound_answer, sound_order_answer, step_plan,
 };
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;

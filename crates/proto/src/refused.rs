@@ -43,6 +43,8 @@ refusals! {
         /// The other end, where it lies inside barriers that it may not leave.
         inside: Vec<InsideEnd>,
     } = "END_SHUT_IN",
+    /// Every way leads through a passage that has no room for dog-legs.
+    NoRoomForDogLegs = "NO_ROOM_FOR_DOG_LEGS",
     /// The published scan does not cover the request.
     PublishedMethodNotApplicable {
         /// What it does not cover.
@@ -172,6 +174,9 @@ impl Refused {
                 Refusal::EndShutIn { field, obstacle, why } => {
                     shut_in.push(ShutInEnd { field: field.into(), obstacle, why });
                 }
+                Refusal::NoRoomForDogLegs => {
+                    other.get_or_insert(Self::NoRoomForDogLegs);
+                }
                 Refusal::PublishedMethodNotApplicable { why } => {
                     other.get_or_insert(Self::PublishedMethodNotApplicable { why });
                 }
@@ -193,9 +198,7 @@ impl Refused {
         let (mut inside, mut shut_in) = (Vec::new(), Vec::new());
         let ends = match refusal {
             DistancesRefusal::Ends(ends) => ends,
-            DistancesRefusal::PublishedMethodNotApplicable { why } => {
-                return Self::PublishedMethodNotApplicable { why };
-            }
+            DistancesRefusal::Move(refusal) => return Self::of_move(refusal),
             DistancesRefusal::Interrupted(interrupt) => return Self::interrupted(interrupt, None),
         };
         for (end, refusal) in ends {
@@ -210,16 +213,31 @@ impl Refused {
                 Refusal::EndShutIn { obstacle, why, .. } => {
                     shut_in.push(ShutInEnd { field: field.into(), obstacle, why });
                 }
-                Refusal::PublishedMethodNotApplicable { why } => {
-                    return Self::PublishedMethodNotApplicable { why };
-                }
-                Refusal::Interrupted { interrupt, .. } => return Self::interrupted(interrupt, None),
+                other => return Self::of_move(other),
             }
         }
         if shut_in.is_empty() {
             Self::EndInsideBarrier { ends: inside }
         } else {
             Self::EndShutIn { ends: shut_in, inside }
+        }
+    }
+
+    /// One refusal of the planner.
+    fn of_move(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::EndInsideBarrier { field, obstacle, depth_mm } => {
+                Self::EndInsideBarrier { ends: vec![InsideEnd { field: field.into(), obstacle, depth_mm }] }
+            }
+            Refusal::EndShutIn { field, obstacle, why } => {
+                let ends = vec![ShutInEnd { field: field.into(), obstacle, why }];
+                Self::EndShutIn { ends, inside: Vec::new() }
+            }
+            Refusal::NoRoomForDogLegs => Self::NoRoomForDogLegs,
+            Refusal::PublishedMethodNotApplicable { why } => Self::PublishedMethodNotApplicable { why },
+            Refusal::Interrupted { interrupt, lower_bound } => {
+                Self::interrupted(interrupt, Some(lower_bound))
+            }
         }
     }
 }

@@ -95,7 +95,7 @@ mod tests {
     #[test]
     fn procedures_are_found_by_path_and_by_name() {
         let paths: Vec<String> = Procedure::all().map(|procedure| procedure.path()).collect();
-        assert!(paths.len() >= 5, "{paths:?}");
+        assert!(paths.len() >= 7, "{paths:?}");
         let sessions =
             Procedure::all().filter(Procedure::is_session).map(|session| session.name().to_owned());
         assert_eq!(sessions.collect::<Vec<_>>(), ["PlanRapidMoves"]);

@@ -26,6 +26,7 @@ impl Refused {
             Self::InvalidRequest { .. }
             | Self::EndInsideBarrier { .. }
             | Self::EndShutIn { .. }
+            | Self::NoRoomForDogLegs
             | Self::PublishedMethodNotApplicable { .. }
             | Self::MalformedMessage { .. }
             | Self::MalformedJson { .. }
@@ -71,6 +72,11 @@ impl Refused {
             Self::InvalidRequest { findings } => counted(findings.len(), findings.first()),
             Self::EndInsideBarrier { ends } => counted(ends.len(), ends.first()),
             Self::EndShutIn { ends, inside } => counted(ends.len() + inside.len(), ends.first()),
+            Self::NoRoomForDogLegs => {
+                "every way leads through a passage with no room for dog-legs: lower the clearance, or run straight moves as G1 \
+                 and ask for RAPID_MOTION_LINEAR"
+                    .to_owned()
+            }
             Self::PublishedMethodNotApplicable { why } => {
                 format!("the published supporting-line scan does not cover this request: {why}; use RAPID_ALGORITHM_EXACT")
             }
@@ -133,6 +139,7 @@ impl Refused {
                 listed.extend(more);
                 (listed, omitted + more_omitted)
             }
+            Self::NoRoomForDogLegs => (vec![violation("rules.motion", self.message(), self.reason())], 0),
             Self::PublishedMethodNotApplicable { .. } => {
                 (vec![violation("rules.algorithm", self.message(), self.reason())], 0)
             }

@@ -15,13 +15,13 @@ pub(crate) fn reason(status: &Status) -> String {
 }
 
 /// Field and reason of every finding.
-fn findings(status: &Status) -> Vec<(String, String)> {
+pub(crate) fn findings(status: &Status) -> Vec<(String, String)> {
     let violations =
         status.get_details_bad_request().map(|request| request.field_violations).unwrap_or_default();
     violations.into_iter().map(|violation| (violation.field, violation.reason)).collect()
 }
 
-fn found(expected: &[(&str, &str)]) -> Vec<(String, String)> {
+pub(crate) fn found(expected: &[(&str, &str)]) -> Vec<(String, String)> {
     expected.iter().map(|&(field, reason)| (field.to_owned(), reason.to_owned())).collect()
 }
 
@@ -58,6 +58,7 @@ async fn every_finding_comes_at_once() {
             options: Some(v1::SolveOptions {
                 time_limit: Some(prost_types::Duration { seconds: -1, nanos: 0 }),
                 iteration_limit: -5,
+                ..Default::default()
             }),
             heights: Some(v1::HeightRule {
                 start_z_mm: f64::NAN,

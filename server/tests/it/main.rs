@@ -3,6 +3,7 @@
 #![allow(clippy::panic, reason = "tests; clippy sees functions that help them as production code")]
 
 mod bad_input;
+mod costs;
 mod distances;
 mod documents;
 mod drain;
@@ -16,5 +17,6 @@ mod log;
 mod request;
 mod rules;
 mod running;
+mod sections;
 mod session;
 mod web;

@@ -23,8 +23,8 @@ class Client {
   // address: host:port. For TLS pass grpc::SslCredentials.
   explicit Client(const std::string& address,
                   const std::shared_ptr<grpc::ChannelCredentials>& credentials = grpc::InsecureChannelCredentials())
-      : stub_(traverse::v1::PlannerService::NewStub(
-            grpc::CreateCustomChannel(address, credentials, channel_arguments()))) {}
+      : channel_(grpc::CreateCustomChannel(address, credentials, channel_arguments())),
+        stub_(traverse::v1::PlannerService::NewStub(channel_)) {}
 
   // The shortest collision-free rapid move, tries included within patience. The server stops in time by itself and
   // answers shortly before.
@@ -36,9 +36,11 @@ class Client {
       grpc::ClientContext context;
       context.set_deadline(deadline);
       const grpc::Status status = stub_->PlanRapidMove(&context, request, &response);
-      const auto jittered = with_jitter(pause);
-      if (status.error_code() != grpc::StatusCode::UNAVAILABLE || Clock::now() + jittered >= deadline) return status;
-      std::this_thread::sleep_for(jittered);
+      const Clock::time_point next = Clock::now() + with_jitter(pause);
+      if (status.error_code() != grpc::StatusCode::UNAVAILABLE || next >= deadline) return status;
+      // A channel makes headway only while somebody waits on it: in mere sleep every connection would time out half made.
+      channel_->WaitForConnected(next);
+      std::this_thread::sleep_until(next);
     }
   }
 
@@ -64,6 +66,7 @@ class Client {
     return std::chrono::milliseconds{std::uniform_int_distribution<long>{pause.count() / 2, pause.count()}(random)};
   }
 
+  std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<traverse::v1::PlannerService::Stub> stub_;
 };
 

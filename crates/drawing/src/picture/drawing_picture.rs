@@ -11,6 +11,7 @@ use super::markers::{self, Kind, MARKED_FINDINGS};
 use super::route::samples;
 use super::sign::Sign;
 use super::{extent, file};
+use crate::counted::counted;
 use crate::{Drawing, DrawingFinding, Fault};
 
 /// Free border of the drawing, as a share of its extent: room for markers.
@@ -85,8 +86,4 @@ fn more_layers(drawing: &Drawing) -> String {
         0 => String::new(),
         more => format!("and {} more", counted(more, "layer")),
     }
-}
-
-fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

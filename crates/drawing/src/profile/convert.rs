@@ -50,6 +50,7 @@ impl Check<'_> {
 
     fn machine(&mut self, name: String, raw: RawMachine) -> Machine {
         let corner_style = self.corner_style(&raw);
+        let (g0, speeds) = (self.g0(&raw), self.speeds(&raw));
         Machine {
             work_area: self.selectors("roles.work_area", raw.roles.work_area),
             parts: self.selectors("roles.parts", raw.roles.parts),
@@ -60,7 +61,8 @@ impl Check<'_> {
             corner_style,
             tool_clearances_mm: self.tools(raw.tools),
             offsets: self.offsets(raw.offsets),
-            rapid_mm_per_min: self.rapid_speed(&raw.speeds),
+            g0,
+            speeds,
             gcode: raw.gcode.map(|gcode| self.gcode(gcode, &raw.speeds)),
             name,
         }

@@ -19,6 +19,7 @@ pub(crate) struct RawMachine {
     pub(crate) border_clearance_mm: Option<Spanned<f64>>,
     pub(crate) corner_style: Option<Spanned<RawCornerStyle>>,
     pub(crate) miter_limit: Option<Spanned<f64>>,
+    pub(crate) g0: Option<Spanned<RawMotion>>,
     #[serde(default)]
     pub(crate) roles: RawRoles,
     #[serde(default)]
@@ -44,6 +45,13 @@ pub(crate) struct RawTool {
 pub(crate) enum RawCornerStyle {
     Round,
     Miter,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum RawMotion {
+    Linear,
+    DogLeg,
 }
 
 #[derive(Default, Deserialize)]
@@ -80,6 +88,11 @@ pub(crate) struct RawSpeeds {
     pub(crate) arc_feed_mm_per_min: Option<Spanned<f64>>,
     pub(crate) straight_feed_mm_per_min: Option<Spanned<f64>>,
     pub(crate) rapid_mm_per_min: Option<Spanned<f64>>,
+    pub(crate) rapid_x_mm_per_min: Option<Spanned<f64>>,
+    pub(crate) rapid_y_mm_per_min: Option<Spanned<f64>>,
+    pub(crate) rapid_z_mm_per_min: Option<Spanned<f64>>,
+    pub(crate) acceleration_mm_per_s2: Option<Spanned<f64>>,
+    pub(crate) junction_deviation_mm: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize)]

@@ -1,7 +1,7 @@
-//! What programs rely on: tools, work offsets, the speed of G0.
+//! What programs rely on: tools and work offsets.
 
 use super::convert::Check;
-use super::raw::{RawSpeeds, RawTool};
+use super::raw::RawTool;
 use std::collections::BTreeMap;
 use toml::Spanned;
 use traverse_geometry::{COORDINATE_LIMIT_MM, Vector};
@@ -58,16 +58,5 @@ impl Check<'_> {
             }
         }
         offsets
-    }
-
-    /// How fast G0 moves.
-    pub(super) fn rapid_speed(&mut self, speeds: &RawSpeeds) -> Option<f64> {
-        let stated = speeds.rapid_mm_per_min.as_ref()?;
-        let speed = *stated.get_ref();
-        if !(1.0..=1e6).contains(&speed) {
-            let line = self.line_of(stated);
-            self.add(line, "speeds.rapid_mm_per_min", format!("is {speed}: use 1 to 1000000 mm/min"));
-        }
-        Some(speed)
     }
 }

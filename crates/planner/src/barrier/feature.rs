@@ -21,6 +21,9 @@ pub(crate) struct Feature {
     pub(crate) before: Option<usize>,
     /// The feature that the range's end goes over into without a straight edge between.
     pub(crate) after: Option<usize>,
+    /// The feature that the border of a mitred barrier leads to from the range's end, straight, where one of both is an arc:
+    /// a tangent so short against the radius that both circles don't tell its direction.
+    pub(crate) straight_after: Option<usize>,
     /// Whose barrier it belongs to, as in [`super::Blocker::owner`].
     pub(crate) owner: usize,
 }

@@ -2,7 +2,8 @@
 
 use super::Clearance;
 use traverse_geometry::{
-    Arc, CornerStyle, Edge, MITER_RATIO_LIMIT, Point, Ring, Segment, Vector, left_of, unit,
+    Arc, CONTACT_TOLERANCE_MM, CornerStyle, Edge, MITER_RATIO_LIMIT, Point, Ring, Segment, Vector, left_of,
+    unit,
 };
 
 /// A convex corner: the vertex and the outward normals of the edges that meet there.
@@ -95,11 +96,11 @@ fn strip_gauge(edge: &Edge, p: Point) -> Option<f64> {
         Edge::Segment(segment) => {
             let along = (p - segment.start).dot(&direction);
             let out = -left_of(direction).dot(&(p - segment.start));
-            (out >= 0.0 && (0.0..=segment.length()).contains(&along)).then_some(out)
+            outwards(out).filter(|_| (0.0..=segment.length()).contains(&along))
         }
         Edge::Arc(arc) => {
             let out = ((p - arc.center).norm() - arc.radius) * arc.sweep.signum();
-            (out >= 0.0 && arc.spans(p - arc.center)).then_some(out)
+            outwards(out).filter(|_| arc.spans(p - arc.center))
         }
     }
 }
@@ -112,5 +113,10 @@ fn corner_gauge(corner: &Corner, p: Point, limit: f64) -> Option<f64> {
     let inside = by.dot(&left_of(n1)) >= 0.0 && by.dot(&left_of(n2)) <= 0.0;
     let bisector = unit(n1.y.atan2(n1.x) + corner.turn / 2.0);
     let gauge = by.dot(&n1).max(by.dot(&n2)).max(by.dot(&bisector) / limit);
-    (inside && gauge >= 0.0).then_some(gauge)
+    outwards(gauge).filter(|_| inside)
+}
+
+/// A distance outwards; what lies on the border may come out inside by rounding.
+fn outwards(distance: f64) -> Option<f64> {
+    (distance >= -CONTACT_TOLERANCE_MM).then_some(distance.max(0.0))
 }

@@ -103,7 +103,12 @@ impl Outline<'_> {
             if is_straight(next) {
                 continue;
             }
-            if let Some((following, _)) = chain[next] {
+            let Some((following, _)) = chain[next] else { continue };
+            let is_mitred = self.clearance.miter().is_some() && (link + next) % 2 == 1;
+            if is_mitred {
+                // From a control point to an arc and back, half of the mitre lies between.
+                features[last].straight_after = Some(following);
+            } else {
                 features[last].after = Some(following);
                 features[following].before = Some(last);
             }
@@ -184,6 +189,7 @@ impl Outline<'_> {
             sweep,
             before: None,
             after: None,
+            straight_after: None,
             owner: self.owner,
         }
     }

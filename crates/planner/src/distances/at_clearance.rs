@@ -5,7 +5,7 @@ use super::matrix::Matrix;
 use super::{DistanceEnd, DistanceQuery, DistancesRefusal};
 use crate::Refusal;
 use crate::barriers::Barriers;
-use crate::clear_end::{EndPlace, clear_end};
+use crate::ends::clear_end;
 use crate::level::Levels;
 use traverse_geometry::{EndRule, Point, Scene};
 use traverse_solve::{Budget, Interrupt};
@@ -90,8 +90,7 @@ impl AtClearance<'_> {
         rule: &EndRule,
     ) -> Result<Vec<Result<Clear, Vec<Refusal>>>, Interrupt> {
         let clear = |&point: &Point| {
-            let end = EndPlace { field, point, z_mm };
-            let found = clear_end(barriers, self.query.rules.heights, end, rule, self.budget)?;
+            let found = clear_end(barriers, &self.query.rules, field, point, z_mm, rule, self.budget)?;
             Ok(found.map(|clear| Clear { point: clear, lead: (clear - point).norm() }))
         };
         points.iter().map(clear).collect()

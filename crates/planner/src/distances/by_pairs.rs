@@ -2,7 +2,7 @@
 
 use super::matrix::Matrix;
 use super::{DistanceEnd, DistanceQuery, DistancesRefusal};
-use crate::{Answer, RapidMove, Refusal, plan_rapid_move};
+use crate::{Answer, PreparedScene, RapidMove, Refusal};
 use traverse_geometry::Scene;
 use traverse_solve::{Budget, Silent};
 
@@ -16,6 +16,7 @@ pub(super) fn fill(
     matrix: &mut Matrix,
     budget: &Budget,
 ) -> Result<(), DistancesRefusal> {
+    let mut prepared = PreparedScene::new(scene.clone(), budget)?;
     let mut ends = Vec::new();
     let mut steps = 0;
     for (row, column) in matrix.open() {
@@ -28,7 +29,7 @@ pub(super) fn fill(
         };
         let left = budget.iterations.map(|limit| limit.saturating_sub(steps));
         let budget = Budget { iterations: left, ..budget.clone() };
-        match plan_rapid_move(scene, &query, &budget, &mut Silent) {
+        match prepared.plan(&query, &budget, &mut Silent) {
             Ok((answer, stats)) => {
                 steps += stats.expanded_nodes;
                 if let Answer::Plan(plan) = answer {
@@ -57,10 +58,10 @@ fn refused_end(
             Refusal::EndInsideBarrier { field, .. } | Refusal::EndShutIn { field, .. } => {
                 if *field == "start" { DistanceEnd::From(row) } else { DistanceEnd::To(column) }
             }
-            &Refusal::PublishedMethodNotApplicable { why } => {
-                return Err(DistancesRefusal::PublishedMethodNotApplicable { why });
-            }
             Refusal::Interrupted { interrupt, .. } => return Err(DistancesRefusal::Interrupted(*interrupt)),
+            Refusal::PublishedMethodNotApplicable { .. } | Refusal::NoRoomForDogLegs => {
+                return Err(DistancesRefusal::Move(refusal));
+            }
         };
     Ok((end, refusal))
 }

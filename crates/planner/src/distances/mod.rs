@@ -3,8 +3,8 @@
 //! Every entry is what [`crate::plan_rapid_move`] would answer, worked out from one point to all others at once. The data's
 //! way: clearances are tried in turn (`at_clearance`), as for a single move; the points' ways out of the barriers are found
 //! once; at each level that matters the barriers are prepared once (`at_level`) and one search from each point goes to all
-//! that may still be nearer there. What is not travel along the shortest path, the published scan, is planned pair
-//! by pair (`by_pairs`).
+//! that may still be nearer there. What is not the length of the shortest path (time, chords, dog-legs, the published scan)
+//! is planned pair by pair (`by_pairs`).
 //!
 //! A way is as long in either direction. So where the list of targets is the list of starts and both ends follow the same
 //! rules, only pairs of different points are worked out, each once; and the searches run from whichever list is shorter.
@@ -17,7 +17,7 @@ mod matrix;
 use crate::{Algorithm, Refusal};
 use at_clearance::AtClearance;
 use matrix::Matrix;
-use traverse_geometry::{Point, RapidRules, Scene};
+use traverse_geometry::{ArcOutput, Point, RapidMotion, RapidRules, Scene, TravelCost};
 use traverse_solve::{Budget, Interrupt};
 
 /// What shortest costs are asked for.
@@ -40,10 +40,20 @@ impl DistanceQuery {
         if self.to.is_empty() { &self.from } else { &self.to }
     }
 
+    /// Whether costs are lengths of shortest paths.
+    fn asks_for_lengths(&self) -> bool {
+        let RapidRules { cost, motion, arcs, .. } = &self.rules;
+        self.algorithm == Algorithm::Exact
+            && *cost == TravelCost::Length
+            && *motion == RapidMotion::Linear
+            && *arcs == ArcOutput::Arcs
+    }
+
     /// Whether the cost from one point to another is the cost back: each pair is asked for twice.
     fn is_symmetric(&self) -> bool {
         let heights_meet = self.rules.heights.is_none_or(|rule| rule.start_z_mm == rule.target_z_mm);
-        self.to.is_empty() && heights_meet && self.rules.leave == self.rules.enter
+        // What the machine makes of a way back may cost another time.
+        self.to.is_empty() && heights_meet && self.rules.leave == self.rules.enter && self.asks_for_lengths()
     }
 }
 
@@ -61,11 +71,8 @@ pub enum DistanceEnd {
 pub enum DistancesRefusal {
     /// Ends that lie inside barriers and may not, or can not, leave them; one entry for each end and barrier.
     Ends(Vec<(DistanceEnd, Refusal)>),
-    /// The published scan does not cover a pair.
-    PublishedMethodNotApplicable {
-        /// What it does not cover.
-        why: &'static str,
-    },
+    /// One move is refused for another reason than its ends.
+    Move(Refusal),
     /// The budget ended first.
     Interrupted(Interrupt),
 }
@@ -87,7 +94,7 @@ pub fn plan_distances(
     budget: &Budget,
 ) -> Result<Vec<f64>, DistancesRefusal> {
     let mut matrix = Matrix::new(query.from.len(), query.targets().len(), query.is_symmetric());
-    if query.algorithm == Algorithm::SupportingLines {
+    if !query.asks_for_lengths() {
         by_pairs::fill(scene, query, &mut matrix, budget)?;
         return Ok(matrix.into_costs());
     }

@@ -1,4 +1,4 @@
-//! Shortest costs from one end to many others in a prepared scene.
+//! Shortest ways from one end to many others in a prepared scene: what they cost.
 //!
 //! What each end sees of the corners and arcs is worked out once ([`Sighted`]); a search without a goal then runs along
 //! the scene's links from one end until it has come by all others.
@@ -108,9 +108,5 @@ impl Moves for AlongLinks<'_> {
 
     fn is_free(&self, from: Point, to: Point) -> bool {
         self.terrain.is_free(from, to)
-    }
-
-    fn offer(&mut self, _cost: f64, _found: &mut Vec<u32>) -> f64 {
-        f64::INFINITY
     }
 }

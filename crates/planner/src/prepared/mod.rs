@@ -5,10 +5,13 @@
 //! concerns when they are next used (`edit` makes many at once). A query adds its ends (`growth`) and searches along the
 //! links (`scene`); many ends at once are joined to the links by what each sees (`fan`).
 
+mod along_links;
+mod best;
 mod edit;
 mod fan;
 mod growth;
 mod horizon;
+mod label;
 mod link;
 mod nearby;
 mod occlusion;

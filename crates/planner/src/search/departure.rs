@@ -3,6 +3,7 @@
 use super::Tangent;
 use super::settled::Lane;
 use crate::barrier::Feature;
+use crate::measure::Measure;
 use crate::prepared::Link;
 use traverse_geometry::{Vector, cross};
 
@@ -17,7 +18,7 @@ pub(super) struct Departure {
     pub(super) offset: f64,
     /// Outward direction of arrival on the answered path.
     pub(super) spoke: Vector,
-    /// What the label costs, millimetres.
+    /// What the label costs.
     pub(super) cost: f64,
 }
 
@@ -57,8 +58,8 @@ impl Departure {
     }
 
     /// The cost at `left` on the planned circle: what other labels of the lane are compared at.
-    pub(super) fn planned_cost(&self, left: f64) -> f64 {
-        self.cost + self.circle.price_radius * (left - self.offset) * self.lane.side.sign()
+    pub(super) fn planned_cost(&self, measure: impl Measure, left: f64) -> f64 {
+        self.cost + measure.between(&self.circle, self.offset, left)
     }
 
     /// The angle that the answered path turns until `left`, which it leaves in direction `left_spoke`: the planned
@@ -71,11 +72,12 @@ impl Departure {
     }
 
     /// The cost of the answered path where it leaves.
-    pub(super) fn cost_at(&self, left: f64, left_spoke: Vector) -> f64 {
+    pub(super) fn cost_at(&self, measure: impl Measure, left: f64, left_spoke: Vector) -> f64 {
         if self.circle.price_radius == 0.0 {
             return self.cost;
         }
-        self.cost + self.circle.price_radius * self.turned(left, left_spoke)
+        let sweep = self.turned(left, left_spoke) * self.lane.side.sign();
+        self.cost + measure.turn(self.circle.price_radius, self.spoke, sweep)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a search stands on: the features that its paths may bend round.
 
-use super::Sector;
-use crate::barrier::Feature;
+use super::{Sector, Tangent};
+use crate::barrier::{Feature, Side};
 
 /// Features by number, and what is known of each.
 pub(crate) trait Ground {
@@ -30,6 +30,18 @@ pub(crate) trait Ground {
         let feature = self.feature(one);
         let neighbour = Some(other as usize);
         feature.after == neighbour || feature.before == neighbour || self.is_same_circle(one, other)
+    }
+
+    /// The straight move along the border of a mitred barrier from one feature to the other, where one is an arc and both
+    /// are neighbours. On `side` of the way lie both.
+    fn along_border(&self, from: u32, to: u32, side: Side) -> Option<Tangent> {
+        let (one, other) = (self.feature(from), self.feature(to));
+        let (at, onto) = match side {
+            Side::Left => (one.straight_after == Some(to as usize)).then_some((one.sweep, 0.0))?,
+            Side::Right => (other.straight_after == Some(from as usize)).then_some((0.0, other.sweep))?,
+        };
+        let normal = -other.direction_at(onto) * side.sign();
+        Some(Tangent::along(one.plan_point(at), other.plan_point(onto), normal))
     }
 }
 
@@ -67,7 +79,7 @@ impl Stretches {
     }
 
     /// The free stretch that holds `offset` within `tolerance`, if any.
-    pub(super) fn at(&self, offset: f64, tolerance: f64) -> Option<usize> {
+    pub(crate) fn at(&self, offset: f64, tolerance: f64) -> Option<usize> {
         self.free.iter().position(|&(from, to)| from - tolerance <= offset && offset <= to + tolerance)
     }
 }

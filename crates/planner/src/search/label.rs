@@ -4,7 +4,7 @@
 //! that it came from ([`super::Stance`]).
 
 use crate::barrier::{Feature, Side};
-use traverse_geometry::Vector;
+use traverse_geometry::{Point, Vector};
 
 /// Where a label is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +33,7 @@ pub(crate) enum Step {
 /// One way of touching a feature, and what it costs so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label {
-    /// Millimetres from the start.
+    /// From the start.
     pub(crate) cost: f64,
     /// The offset of the feature before at which it is left.
     pub(crate) left_at: f64,
@@ -59,8 +59,10 @@ pub(crate) struct Stop {
 /// A shortest path among some barriers.
 #[derive(Clone, Debug)]
 pub(crate) struct Route {
-    /// What it costs, millimetres.
+    /// What it costs.
     pub(crate) cost: f64,
     /// Features that it bends round, in order.
     pub(crate) stops: Vec<Stop>,
+    /// The places that stand for start and target.
+    pub(crate) places: [Point; 2],
 }

@@ -5,6 +5,7 @@
 //! and side is not enough as soon as radii are above 0: an early arrival that costs more can still serve departures
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
+mod bundles;
 mod circles;
 mod departure;
 mod end;
@@ -22,14 +23,14 @@ mod successors;
 mod tangent;
 mod tree;
 
-pub(crate) use circles::Circles;
+pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;
-pub(crate) use label::Route;
+pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
-pub(crate) use seen::{Moves, SeenSearch};
+pub(crate) use seen::Moves;
 pub(crate) use shortest::Search;
 pub(crate) use spread::{Goal, Sighted, Spread};
 pub(crate) use tangent::Tangent;

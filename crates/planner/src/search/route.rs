@@ -4,9 +4,10 @@ use super::Ground;
 use super::label::{Label, Place, Route, Step, Stop};
 use super::stance::From;
 use super::tree::Tree;
+use crate::measure::Measure;
 
 /// The way from the start to the label `last`.
-pub(super) fn route(tree: &Tree<'_>, ground: &impl Ground, last: &Label) -> Route {
+pub(super) fn route(tree: &Tree<'_, impl Measure>, ground: &impl Ground, last: &Label) -> Route {
     let mut stops = Vec::new();
     let mut label = *last;
     while label.step != Step::Begin {
@@ -28,5 +29,13 @@ pub(super) fn route(tree: &Tree<'_>, ground: &impl Ground, last: &Label) -> Rout
         label = parent.label;
     }
     stops.reverse();
-    Route { cost: last.cost, stops }
+    let start = match label.place {
+        Place::Start(place) => tree.start.places[place as usize],
+        _ => tree.start.point,
+    };
+    let target = match last.place {
+        Place::Target(place) => tree.target.places[place as usize],
+        _ => tree.target.point,
+    };
+    Route { cost: last.cost, stops, places: [start, target] }
 }

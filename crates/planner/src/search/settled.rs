@@ -2,8 +2,8 @@
 
 use crate::barrier::Side;
 
-/// Costs that differ by less than this are equal, millimetres: rounding, far below what is promised.
-const COST_TOLERANCE_MM: f64 = 1e-12;
+/// Costs that differ by less than this are equal, millimetres or seconds: rounding, far below what is promised.
+const COST_TOLERANCE: f64 = 1e-12;
 
 /// Where on which feature, as far as labels can be compared: on one side, within one free stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,21 +40,22 @@ impl Settled {
         self.0[feature as usize].iter_mut().for_each(Vec::clear);
     }
 
-    /// Whether a settled label, going on along the arc of `radius`, is at `offset` for no more than `cost`.
-    pub(super) fn serves(&self, lane: Lane, radius: f64, offset: f64, cost: f64) -> bool {
-        self.any(lane, radius, offset, |paid| paid <= cost + COST_TOLERANCE_MM)
+    /// Whether a settled label, going on along the arc, is at `offset` for no more than `cost`. `arc` is what the arc
+    /// costs to there from an offset before.
+    pub(super) fn serves(&self, lane: Lane, offset: f64, cost: f64, arc: impl Fn(f64) -> f64) -> bool {
+        self.any(lane, offset, arc, |paid| paid <= cost + COST_TOLERANCE)
     }
 
     /// The same for clearly less than `cost`.
-    pub(super) fn beats(&self, lane: Lane, radius: f64, offset: f64, cost: f64) -> bool {
-        self.any(lane, radius, offset, |paid| paid < cost - COST_TOLERANCE_MM)
+    pub(super) fn beats(&self, lane: Lane, offset: f64, cost: f64, arc: impl Fn(f64) -> f64) -> bool {
+        self.any(lane, offset, arc, |paid| paid < cost - COST_TOLERANCE)
     }
 
-    fn any(&self, lane: Lane, radius: f64, offset: f64, holds: impl Fn(f64) -> bool) -> bool {
+    fn any(&self, lane: Lane, offset: f64, arc: impl Fn(f64) -> f64, holds: impl Fn(f64) -> bool) -> bool {
         let Some(sides) = self.0.get(lane.feature as usize) else { return false };
         sides[lane.side as usize].iter().any(|paid| {
             let turn = (offset - paid.offset) * lane.side.sign();
-            paid.stretch == lane.stretch as u32 && turn >= 0.0 && holds(paid.cost + radius * turn)
+            paid.stretch == lane.stretch as u32 && turn >= 0.0 && holds(paid.cost + arc(paid.offset))
         })
     }
 }

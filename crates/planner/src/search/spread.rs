@@ -17,6 +17,7 @@ use super::stance::From;
 use super::tree::{Room, Tree, lane};
 use super::{End, Ground, Moves};
 use crate::barrier::Side;
+use crate::measure::{Length, Measure};
 use crate::trace::trace;
 use rustc_hash::FxHashMap;
 use traverse_solve::{Budget, Interrupt};
@@ -74,7 +75,7 @@ impl<'a, M: Moves> Spread<'a, M> {
             }
         }
         Self {
-            tree: Tree::in_all_directions(start, room),
+            tree: Tree::in_all_directions(Length, start, room),
             moves,
             sighted,
             goals,
@@ -163,11 +164,11 @@ impl<'a, M: Moves> Spread<'a, M> {
         self.tree.push_over(self.moves.ground(), stance, |_| true);
         self.moves.see(feature, side, budget)?;
         let From::Feature(departure) = self.tree.stances[stance as usize].from else { return Ok(()) };
-        let radius = departure.circle.price_radius;
         for link in self.moves.links(feature, side) {
             let Some(left_at) = departure.leaves_along(link) else { continue };
-            let planned_cost = departure.planned_cost(left_at);
-            if self.tree.settled.beats(departure.lane, radius, left_at, planned_cost) {
+            let planned_cost = departure.planned_cost(Length, left_at);
+            let arc = |from| Length.between(&departure.circle, from, left_at);
+            if self.tree.settled.beats(departure.lane, left_at, planned_cost, arc) {
                 continue;
             }
             let label = Label {

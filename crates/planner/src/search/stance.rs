@@ -4,7 +4,7 @@ use super::Tangent;
 use super::departure::Departure;
 use super::label::Label;
 use crate::barrier::{Feature, Side};
-use traverse_geometry::{Point, Vector};
+use traverse_geometry::{Point, Vector, left_of};
 
 /// A label that was looked into.
 #[derive(Clone, Copy)]
@@ -30,6 +30,13 @@ pub(super) struct Leg {
     pub(super) length: f64,
 }
 
+impl Leg {
+    /// A move that is answered as it is planned.
+    pub(super) fn as_planned(planned: Tangent) -> Self {
+        Self { planned, normal: planned.normal, length: planned.length }
+    }
+}
+
 impl From {
     /// Straight to `circle`, which lies on `side`, for a path from `start`.
     pub(super) fn leg_to(&self, circle: &Feature, side: Side, start: Point) -> Option<Leg> {
@@ -51,7 +58,9 @@ impl From {
             _ => self.planned(place, 0.0)?,
         };
         if let Self::Start(_) = self {
-            return Some(Leg { planned, normal: planned.normal, length: (target - start).norm() });
+            let by = target - start;
+            let normal = left_of(by).try_normalize(0.0).unwrap_or(planned.normal);
+            return Some(Leg { planned, normal, length: by.norm() });
         }
         let price = Tangent::between(at, rho, target, 0.0)?;
         Some(Leg { planned, normal: price.normal, length: price.length })

@@ -7,8 +7,9 @@ use super::stance::{From, Leg};
 use super::tree::{Tree, lane};
 use super::{End, Ground};
 use crate::barrier::Side;
+use crate::measure::Measure;
 
-impl Tree<'_> {
+impl<M: Measure> Tree<'_, M> {
     /// Offers a stance the target.
     pub(super) fn reach_for_target(&mut self, ground: &impl Ground, stance: u32) {
         for place in 0..self.target.places.len() {
@@ -35,8 +36,9 @@ impl Tree<'_> {
     fn leaves_at(&self, from: &From, leg: &Leg) -> Option<f64> {
         let From::Feature(departure) = from else { return Some(0.0) };
         let left = departure.leaves_at(&leg.planned)?;
-        let cost = departure.planned_cost(left);
-        let idle = self.settled.beats(departure.lane, departure.circle.price_radius, left, cost);
+        let cost = departure.planned_cost(self.measure, left);
+        let arc = |from| self.measure.between(&departure.circle, from, left);
+        let idle = self.settled.beats(departure.lane, left, cost, arc);
         (!idle).then_some(left)
     }
 
@@ -53,7 +55,7 @@ impl Tree<'_> {
         let leg = from.leg_to_end(target.places[place as usize], target.point, self.start.point)?;
         // A start that stands in the target's place leaves it for nowhere.
         let left_at = self.leaves_at(from, &leg)?;
-        let cost = cost_at(from, left_at, &leg) + leg.length;
+        let cost = self.cost_along(from, left_at, &leg);
         let place = Place::Target(place);
         Some(Label { cost, left_at, offset: 0.0, place, parent: stance, step: Step::Tangent })
     }
@@ -62,19 +64,26 @@ impl Tree<'_> {
     pub(super) fn push_tangent(&mut self, ground: &impl Ground, stance: u32, other: u32, side: Side) {
         let from = &self.stances[stance as usize].from;
         let circle = ground.feature(other);
+        if !self.measure.admits(circle.owner, side) {
+            return;
+        }
+        let mut along_border = None;
         if let From::Feature(departure) = from {
             let lane = departure.lane;
             if lane.feature == other || lane.side == side && ground.goes_over(lane.feature, other) {
                 return;
             }
+            if lane.side == side {
+                along_border = ground.along_border(lane.feature, other, side).map(Leg::as_planned);
+            }
         }
-        let Some(leg) = from.leg_to(circle, side, self.start.point) else { return };
+        let Some(leg) = along_border.or_else(|| from.leg_to(circle, side, self.start.point)) else { return };
         let Some(offset) = circle.offset_of(-leg.planned.normal * side.sign(), leg.planned.angle_error)
         else {
             return;
         };
         let Some(left_at) = self.leaves_at(from, &leg) else { return };
-        let cost = cost_at(from, left_at, &leg) + leg.length;
+        let cost = self.cost_along(from, left_at, &leg);
         let at = circle.center - leg.normal * (circle.price_radius * side.sign());
         let place = Place::Feature(other, side);
         self.push(ground, Label { cost, left_at, offset, place, parent: stance, step: Step::Tangent }, at);
@@ -122,17 +131,21 @@ impl Tree<'_> {
             return;
         }
         let onto = ground.feature(other);
-        let cost = departure.cost_at(left_at, departure.circle.direction_at(left_at));
+        if !self.measure.admits(onto.owner, departure.lane.side) {
+            return;
+        }
+        let cost = departure.cost_at(self.measure, left_at, departure.circle.direction_at(left_at));
         let at = onto.center + onto.direction_at(offset) * onto.price_radius;
         let place = Place::Feature(other, departure.lane.side);
         self.push(ground, Label { cost, left_at, offset, place, parent: stance, step: Step::Over }, at);
     }
-}
 
-/// What a path costs where it leaves along `leg`.
-fn cost_at(from: &From, left_at: f64, leg: &Leg) -> f64 {
-    match from {
-        From::Start(_) => 0.0,
-        From::Feature(departure) => departure.cost_at(left_at, from.spoke_along(leg)),
+    /// What a path costs that leaves along `leg`, where that ends.
+    fn cost_along(&self, from: &From, left_at: f64, leg: &Leg) -> f64 {
+        let before = match from {
+            From::Start(_) => 0.0,
+            From::Feature(departure) => departure.cost_at(self.measure, left_at, from.spoke_along(leg)),
+        };
+        before + self.measure.straight(leg.normal, leg.length)
     }
 }

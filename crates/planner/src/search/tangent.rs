@@ -5,7 +5,10 @@
 //! iff |ρ2 − ρ1| does not exceed the distance d of the centres, and is sqrt(d² − (ρ2 − ρ1)²) long: the outer one
 //! for equal sides, the inner one for different ones.
 
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector, left_of};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector, cross, left_of};
+
+/// No direction is known better than this, radians.
+const LEAST_ANGLE_ERROR_RAD: f64 = 1e-13;
 
 /// A directed common tangent.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +31,16 @@ impl Tangent {
         Self { from: at, to: at, normal: Vector::zeros(), length: 0.0, angle_error: 0.0 }
     }
 
+    /// By which angle `other`, which hardly differs, turns counter-clockwise from this one, radians.
+    pub(crate) fn angle_to(&self, other: &Self) -> f64 {
+        cross(self.normal, other.normal).atan2(self.normal.dot(&other.normal))
+    }
+
+    /// From one point to another, where the direction is known better than from both.
+    pub(crate) fn along(from: Point, to: Point, normal: Vector) -> Self {
+        Self { from, to, normal, length: (to - from).norm(), angle_error: LEAST_ANGLE_ERROR_RAD }
+    }
+
     /// The tangent from the circle at `c1` to the circle at `c2` with signed radii. None: the circles lie inside
     /// each other, or overlap where an inner tangent is asked for, by more than the contact tolerance; or the
     /// centres are the same.
@@ -44,12 +57,17 @@ impl Tangent {
         let normal = axis * sine + left_of(axis) * (length / distance);
         let normal = normal.try_normalize(0.0)?;
         let magnitude = c1.coords.amax().max(c2.coords.amax()).max(rho1.abs()).max(rho2.abs());
+        // The distance of the centres may be off by this much. Where the circles nearly touch from inside, or a point nearly
+        // lies on one, the direction is known by the root of it only.
+        let off = 16.0 * f64::EPSILON * magnitude;
+        let angle_error =
+            if length * length > off * distance { off / length } else { (off / distance).sqrt() };
         Some(Self {
             from: c1 - normal * rho1,
             to: c2 - normal * rho2,
             normal,
             length,
-            angle_error: 1e-13 + 16.0 * f64::EPSILON * magnitude / distance,
+            angle_error: LEAST_ANGLE_ERROR_RAD + angle_error,
         })
     }
 }

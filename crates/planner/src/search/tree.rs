@@ -9,6 +9,7 @@ use super::settled::{Lane, Settled};
 use super::stance::{From, Leg, Stance};
 use super::{End, Ground};
 use crate::barrier::Side;
+use crate::measure::{Length, Measure};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use traverse_geometry::{Point, Vector};
@@ -30,7 +31,8 @@ pub(crate) struct Room {
 }
 
 /// A search tree from `start` towards `target`.
-pub(crate) struct Tree<'a> {
+pub(crate) struct Tree<'a, M = Length> {
+    pub(super) measure: M,
     pub(super) start: &'a End,
     pub(super) target: &'a End,
     /// What estimates count the straight way to. None: there are many targets, and estimates are the costs so far.
@@ -45,20 +47,20 @@ pub(crate) struct Tree<'a> {
     pub(super) settled: Settled,
 }
 
-impl<'a> Tree<'a> {
+impl<'a, M: Measure> Tree<'a, M> {
     /// A tree of nothing but the start.
-    pub(crate) fn new(start: &'a End, target: &'a End, room: Room) -> Self {
-        Self::growing(start, target, Some(target.point), room)
+    pub(crate) fn new(measure: M, start: &'a End, target: &'a End, room: Room) -> Self {
+        Self::growing(measure, start, target, Some(target.point), room)
     }
 
     /// A tree of nothing but the start that has no target yet and grows in all directions alike.
-    pub(super) fn in_all_directions(start: &'a End, room: Room) -> Self {
-        Self::growing(start, start, None, room)
+    pub(super) fn in_all_directions(measure: M, start: &'a End, room: Room) -> Self {
+        Self::growing(measure, start, start, None, room)
     }
 
-    fn growing(start: &'a End, target: &'a End, aim: Option<Point>, room: Room) -> Self {
+    fn growing(measure: M, start: &'a End, target: &'a End, aim: Option<Point>, room: Room) -> Self {
         let Room { labels, stances, ahead, open, settled } = room;
-        let mut tree = Self { start, target, aim, labels, stances, ahead, open, settled };
+        let mut tree = Self { measure, start, target, aim, labels, stances, ahead, open, settled };
         for place in 0..start.places.len() as u32 {
             let place = Place::Start(place);
             tree.add(
@@ -98,11 +100,6 @@ impl<'a> Tree<'a> {
         Some((f64::from_bits(estimate), self.labels[index as usize]))
     }
 
-    /// The lowest estimate of an open label.
-    pub(crate) fn lowest_estimate(&self) -> Option<f64> {
-        self.open.peek().map(|(Reverse(estimate), _)| f64::from_bits(*estimate))
-    }
-
     /// Adds a label whose place on the answered path is `at`, unless it is served.
     pub(super) fn push(&mut self, ground: &impl Ground, label: Label, at: Point) {
         if !self.is_served(ground, &label) {
@@ -112,7 +109,7 @@ impl<'a> Tree<'a> {
 
     /// Adds a label whose place on the answered path is `at`.
     pub(super) fn add(&mut self, label: Label, at: Point) {
-        let estimate = label.cost + self.aim.map_or(0.0, |aim| (aim - at).norm());
+        let estimate = label.cost + self.aim.map_or(0.0, |aim| self.measure.along(aim - at));
         self.open.push((Reverse(estimate.to_bits()), self.labels.len() as u32));
         self.labels.push(label);
     }
@@ -143,8 +140,9 @@ impl<'a> Tree<'a> {
         if !ground.knows_stretches(feature) {
             return false;
         }
-        let radius = ground.feature(feature).price_radius;
-        lane(ground, label).is_none_or(|lane| self.settled.serves(lane, radius, label.offset, label.cost))
+        let circle = ground.feature(feature);
+        let arc = |from| self.measure.between(circle, from, label.offset);
+        lane(ground, label).is_none_or(|lane| self.settled.serves(lane, label.offset, label.cost, arc))
     }
 
     /// The straight move that leads to a label; none where there is none to make.

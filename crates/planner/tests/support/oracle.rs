@@ -26,8 +26,47 @@ pub struct Circle {
     pub radius: f64,
 }
 
+/// How a path is measured.
+#[derive(Clone, Copy, Debug)]
+pub enum Norm {
+    Length,
+    /// Seconds of the slower axis, by the speeds of X and Y.
+    Axes(f64, f64),
+}
+
+impl Norm {
+    pub fn straight(self, v: P) -> f64 {
+        match self {
+            Self::Length => length(v),
+            Self::Axes(x, y) => f64::max(v.0.abs() / x, v.1.abs() / y),
+        }
+    }
+
+    /// An arc from an angle on, counter-clockwise. Cut where the slower axis changes or one turns back, its parts cost what
+    /// their chords cost.
+    fn arc(self, radius: f64, from: f64, turn: f64) -> f64 {
+        let Self::Axes(x, y) = self else { return radius * turn };
+        let kink = (x / y).atan();
+        let of_turn = (-1..=3).flat_map(|half| {
+            let half = std::f64::consts::PI * f64::from(half);
+            [half - kink, half, half + kink, half + std::f64::consts::FRAC_PI_2]
+        });
+        let mut cuts: Vec<f64> =
+            of_turn.map(|angle| (angle - from).rem_euclid(TAU)).filter(|&at| at < turn).collect();
+        cuts.extend([0.0, turn]);
+        cuts.sort_by(f64::total_cmp);
+        let at = |turned: f64| (radius * (from + turned).cos(), radius * (from + turned).sin());
+        cuts.windows(2).map(|pair| self.straight(sub(at(pair[1]), at(pair[0])))).sum()
+    }
+}
+
 /// The length of the shortest path from `s` to `t`, infinite when there is none.
 pub fn shortest(s: P, t: P, circles: &[Circle], walls: &[Wall]) -> f64 {
+    least(Norm::Length, s, t, circles, walls)
+}
+
+/// The cost of the best path from `s` to `t`, infinite when there is none.
+pub fn least(norm: Norm, s: P, t: P, circles: &[Circle], walls: &[Wall]) -> f64 {
     let mut nodes: Vec<Node> = Vec::new();
     let ends = [Circle { center: s, radius: 0.0 }, Circle { center: t, radius: 0.0 }];
     let all: Vec<Circle> = ends.iter().chain(circles).copied().collect();
@@ -51,14 +90,14 @@ pub fn shortest(s: P, t: P, circles: &[Circle], walls: &[Wall]) -> f64 {
                     }
                     let a = node(&mut nodes, &mut edges, i, side_i, all[i], from);
                     let b = node(&mut nodes, &mut edges, j, side_j, all[j], to);
-                    edges[a].push((b, length(sub(to, from))));
+                    edges[a].push((b, norm.straight(sub(to, from))));
                 }
             }
         }
     }
     for (circle, data) in all.iter().enumerate().skip(2) {
         for side in [1.0, -1.0] {
-            link_arcs(&mut edges, &nodes, circle, *data, side, walls);
+            link_arcs(norm, &mut edges, &nodes, circle, *data, side, walls);
         }
     }
     dijkstra(&edges).map_or(f64::INFINITY, |cost| cost)
@@ -90,6 +129,7 @@ fn node(
 
 /// Neighbouring tangent points of one circle and side are linked in the sense of travel where the arc is free.
 fn link_arcs(
+    norm: Norm,
     edges: &mut [Vec<(usize, f64)>],
     nodes: &[Node],
     circle: usize,
@@ -124,7 +164,7 @@ fn link_arcs(
         });
         if free {
             let (from, to) = if side > 0.0 { (a, b) } else { (b, a) };
-            edges[from].push((to, data.radius * turn));
+            edges[from].push((to, norm.arc(data.radius, nodes[a].angle, turn)));
         }
     }
 }

@@ -1,13 +1,17 @@
 //! Rules of rapid moves.
 
+use super::cost::cost;
 use super::reader::Reader;
 use crate::v1;
 use traverse_geometry::{EndRule, HeightRule, RapidRules, Vector};
 
 impl Reader<'_> {
-    /// Rules for heights, clearances and ends; what is wrong with them is reported.
+    /// Rules for costs, heights, clearances and ends; what is wrong with them is reported.
     pub(crate) fn rules(&mut self, field: &str, rules: v1::RapidRules) -> RapidRules {
         let rules = RapidRules {
+            cost: cost(rules.cost),
+            motion: self.motion(&format!("{field}.motion"), rules.motion),
+            arcs: self.arcs(&format!("{field}.arcs"), rules.arcs),
             heights: rules.heights.map(|rule| HeightRule {
                 start_z_mm: rule.start_z_mm + 0.0,
                 target_z_mm: rule.target_z_mm + 0.0,

@@ -2,14 +2,19 @@
 
 mod check;
 mod distances;
+mod layout;
+mod order;
 mod path;
 mod plan;
 mod problem;
 mod request;
 mod session;
 
-pub use check::check_answer;
+pub use check::{check_answer, check_sections_answer};
 pub use distances::distances_answer;
+pub(crate) use layout::pose;
+pub use layout::{check_sections_request, order_request};
+pub use order::{CountedLimit, Improvement, SearchFacts, order_answer, sound_order_answer};
 pub use plan::{plan_answer, sound_answer};
 pub use problem::problem;
 pub use request::{check_request, plan_request, scene_message};

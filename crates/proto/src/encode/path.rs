@@ -17,7 +17,13 @@ pub(super) fn path(path: &Path) -> v1::Path {
 }
 
 fn step(step: &PathStep) -> v1::PathStep {
-    v1::PathStep { end: Some(point(step.end)), arc: step.arc.as_ref().map(arc), z_mm: step.z_mm }
+    let motion = if step.arc.is_some() { v1::StepMotion::Feed } else { v1::StepMotion::Rapid };
+    v1::PathStep {
+        end: Some(point(step.end)),
+        arc: step.arc.as_ref().map(arc),
+        z_mm: step.z_mm,
+        motion: motion.into(),
+    }
 }
 
 fn arc(arc: &PathArc) -> v1::Arc {

@@ -3,6 +3,7 @@
 use super::path::path;
 use crate::v1::{self, plan_rapid_move_response::Outcome};
 use std::time::Duration;
+use traverse_geometry::CostUnit;
 use traverse_planner::{Answer, FeasibleClearance, NoPath, RapidPlan, Stats};
 
 /// The planner's answer as its message. `prepare` is the time before the search, `search` its own.
@@ -50,11 +51,19 @@ pub(super) fn rapid_plan(plan: &RapidPlan) -> v1::RapidPlan {
     v1::RapidPlan {
         path: Some(path(&plan.path)),
         cost: plan.cost,
-        cost_unit: v1::CostUnit::Mm.into(),
+        cost_unit: cost_unit(plan.cost_unit).into(),
         lower_bound: plan.lower_bound,
         clearance_mm: plan.clearance_mm,
         bending_obstacle_ids: plan.bending_obstacles.clone(),
         alternatives: plan.alternatives.iter().map(path).collect(),
+    }
+}
+
+/// What a cost counts.
+pub(super) fn cost_unit(unit: CostUnit) -> v1::CostUnit {
+    match unit {
+        CostUnit::Millimetres => v1::CostUnit::Mm,
+        CostUnit::Seconds => v1::CostUnit::Seconds,
     }
 }
 

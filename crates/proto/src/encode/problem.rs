@@ -30,6 +30,7 @@ pub fn problem(refused: &Refused, parent: &str) -> v1::Problem {
         Refused::PublishedMethodNotApplicable { .. } => {
             vec![at("rules.algorithm", refused.reason(), refused.message())]
         }
+        Refused::NoRoomForDogLegs => vec![at("rules.motion", refused.reason(), refused.message())],
         _ => Vec::new(),
     };
     v1::Problem {

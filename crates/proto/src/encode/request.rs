@@ -1,8 +1,11 @@
 //! Requests, for clients that plan from domain types.
 
 use super::path;
-use crate::v1;
-use traverse_geometry::{CornerStyle, EndRule, Obstacle, Path, Polygon, RapidRules, Ring, Scene};
+use crate::v1::{self, travel_cost::Measure};
+use traverse_geometry::{
+    ArcOutput, CornerStyle, EndRule, Obstacle, Path, Polygon, RapidMotion, RapidRules, Ring, Scene,
+    TravelCost,
+};
 use traverse_planner::{Algorithm, RapidMove};
 
 /// The request that asks for `query` in `scene`, within the default effort.
@@ -29,6 +32,17 @@ pub fn check_request(request: v1::PlanRapidMoveRequest, path: &Path) -> v1::Chec
 
 fn rules(rules: &RapidRules) -> v1::RapidRules {
     v1::RapidRules {
+        cost: cost(&rules.cost),
+        motion: match rules.motion {
+            RapidMotion::Linear => v1::RapidMotion::Unspecified,
+            RapidMotion::DogLeg => v1::RapidMotion::DogLeg,
+        }
+        .into(),
+        arcs: match rules.arcs {
+            ArcOutput::Arcs => v1::ArcOutput::Unspecified,
+            ArcOutput::Chords => v1::ArcOutput::Chords,
+        }
+        .into(),
         heights: rules.heights.map(|rule| v1::HeightRule {
             start_z_mm: rule.start_z_mm,
             target_z_mm: rule.target_z_mm,
@@ -40,6 +54,25 @@ fn rules(rules: &RapidRules) -> v1::RapidRules {
         enter: end_rule(rules.enter),
         ..Default::default()
     }
+}
+
+fn cost(cost: &TravelCost) -> Option<v1::TravelCost> {
+    let measure = match cost {
+        TravelCost::Length => return None,
+        TravelCost::AxisSpeeds(speeds) => Measure::AxisSpeeds(v1::travel_cost::AxisSpeeds {
+            x_mm_per_s: speeds.x_mm_per_s,
+            y_mm_per_s: speeds.y_mm_per_s,
+            z_mm_per_s: speeds.z_mm_per_s,
+        }),
+        TravelCost::Kinematics(limits) => Measure::Kinematics(v1::travel_cost::Kinematics {
+            speed_mm_per_s: limits.speed_mm_per_s,
+            z_mm_per_s: limits.z_mm_per_s,
+            acceleration_mm_per_s2: limits.acceleration_mm_per_s2,
+            junction_deviation_mm: limits.junction_deviation_mm,
+            feed_mm_per_s: limits.feed_mm_per_s,
+        }),
+    };
+    Some(v1::TravelCost { measure: Some(measure) })
 }
 
 fn end_rule(rule: EndRule) -> Option<v1::EndRule> {
@@ -79,7 +112,7 @@ fn obstacle(obstacle: &Obstacle) -> v1::Obstacle {
     }
 }
 
-fn polygon(polygon: &Polygon) -> v1::Polygon {
+pub(super) fn polygon(polygon: &Polygon) -> v1::Polygon {
     v1::Polygon { outer: Some(ring(polygon.outer())), holes: polygon.holes().iter().map(ring).collect() }
 }
 

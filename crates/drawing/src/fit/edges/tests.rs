@@ -114,6 +114,8 @@ fn curves_are_followed_both_ways() {
         ([0.0, 0.0, 100.0, 50.0, -100.0, 50.0, 0.0, 0.0], 90),
         // To and fro on a line.
         ([0.0, 0.0, 200.0, 0.0, -100.0, 0.0, 100.0, 0.0], 200),
+        // The same, turning just before a place where it is parted.
+        ([10.0, 20.0, 30.0, 20.0, 0.0, 20.0, 10.0, 20.0], 200),
     ] {
         let count = check(&bezier(numbers), TOLERANCE_MM);
         assert!(count <= most, "{count} edges for {numbers:?}");
