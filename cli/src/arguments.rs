@@ -256,9 +256,9 @@ pub(crate) struct Check {
 
 #[derive(Args, Debug)]
 pub(crate) struct Call {
-    /// Such as PlanRapidMove, OrderSections, GetLimits.
+    /// Such as PlanRapidMove, PlanRapidMoves, PlanDistances, OrderSections, GetLimits.
     pub(crate) method: String,
-    /// The request as proto3 JSON, - for standard input.
+    /// The request as proto3 JSON, - for standard input. For PlanRapidMoves steps, one per line; each is answered by a line.
     pub(crate) request: PathBuf,
     /// Ask this server instead of the engines in process.
     #[arg(long, value_name = "URL")]

@@ -51,7 +51,9 @@ impl From<CallError> for Failure {
         let text = error.to_string();
         match error {
             CallError::Unreachable { .. } => Self::Unreachable(text),
-            CallError::UnknownMethod { .. } | CallError::Address { .. } => Self::Input(text),
+            CallError::UnknownMethod { .. } | CallError::OtherForm { .. } | CallError::Address { .. } => {
+                Self::Input(text)
+            }
             CallError::Refused { code, reason, .. } => match (code.as_str(), reason.as_str()) {
                 ("internal" | "unknown" | "data_loss", _) => Self::Internal(text),
                 (_, "QUEUE_FULL" | "TIME_LIMIT_REACHED" | "SERVER_DRAINING" | "CANCELLED") => {

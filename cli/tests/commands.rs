@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "a test fails by panicking")]
 
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 
@@ -507,4 +507,59 @@ fn solve_says_which_line_is_wrong_and_proves_that_there_is_no_tour() {
     assert_ends(&traverse(&["solve", &circle]), 3, "before itself");
     let ordered = matrix("br17.12.sop");
     assert_ends(&traverse(&["solve", &ordered, "--method", "ant-colony"]), 3, "use the ladder");
+}
+
+const STEPS: &str = r#"{"step_id":"plate","scene":{"obstacles":[{"id":"plate","shape":{"outer":{"xy_mm":[0,0,60,0,60,40,0,40]}}}],"clearance_mm":3}}
+{"step_id":"1","query":{"start":{"x_mm":-10,"y_mm":5},"target":{"x_mm":80,"y_mm":5}}}
+
+{"step_id":"oops","query":{"start":{"x_mm":5,"y_mm":5},"target":{"x_mm":80,"y_mm":5}}}
+{"step_id":"off","edit":{"remove_obstacle_ids":["plate"]}}
+{"step_id":"2","query":{"start":{"x_mm":-10,"y_mm":5},"target":{"x_mm":80,"y_mm":5}}}
+"#;
+
+#[test]
+fn a_session_is_lines_in_and_lines_out() {
+    let serving = Serving::start();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("steps.ndjson");
+    std::fs::write(&file, STEPS).unwrap();
+    let file = file.display().to_string();
+    for server in [&[][..], &["--server", &serving.url]] {
+        let output = traverse(&[&["call", "PlanRapidMoves", &file][..], server].concat());
+        assert_ends(&output, 0, "END_INSIDE_BARRIER");
+        let lines: Vec<serde_json::Value> =
+            text(&output.stdout).lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let ids: Vec<&str> = lines.iter().map(|line| line["stepId"].as_str().unwrap()).collect();
+        assert_eq!(ids, ["plate", "1", "oops", "off", "2"]);
+        assert_eq!(lines[4]["plan"]["cost"], 90.0);
+    }
+}
+
+#[test]
+fn a_session_answers_while_steps_are_typed() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_traverse"))
+        .args(["call", "PlanRapidMoves", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut typed = child.stdin.take().unwrap();
+    let mut told = BufReader::new(child.stdout.take().unwrap());
+    for step in STEPS.lines().filter(|line| !line.is_empty()) {
+        writeln!(typed, "{step}").unwrap();
+        let mut answer = String::new();
+        told.read_line(&mut answer).unwrap();
+        assert!(answer.contains("stepId"), "{answer}");
+    }
+    drop(typed);
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
+#[test]
+fn distances_are_answered_as_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("request.json");
+    std::fs::write(&file, r#"{"from_xy_mm":[0,0,3,4]}"#).unwrap();
+    let output = traverse(&["call", "PlanDistances", &file.display().to_string()]);
+    assert_ends(&output, 0, r#"{"costs":[0.0,5.0,5.0,0.0],"costUnit":"COST_UNIT_MM"}"#);
 }

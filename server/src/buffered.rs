@@ -22,6 +22,15 @@ pub(crate) struct Held {
     bytes: usize,
 }
 
+/// What of a body is still to be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    /// All of it.
+    Rest,
+    /// It is there, although its end was not told yet.
+    Nothing,
+}
+
 impl Buffered {
     pub(crate) fn new(limit: usize) -> Self {
         Self { used: Arc::default(), limit }
@@ -31,14 +40,14 @@ impl Buffered {
         Held { of: self.clone(), bytes: 0 }
     }
 
-    /// Reads a body: `framing` bytes and a message of at most `limit`. `inspect` sees what has come so far and may refuse
-    /// it early.
+    /// Reads a body: `framing` bytes and a message of at most `limit`. `inspect` sees what has come so far, may refuse
+    /// it early, and says whether it is enough.
     pub(crate) async fn read<B>(
         &self,
         body: B,
         framing: usize,
         limit: usize,
-        inspect: impl Fn(&[u8]) -> Result<(), Refused>,
+        inspect: impl Fn(&[u8]) -> Result<Wanted, Refused>,
     ) -> Result<(Bytes, Held), Refused>
     where
         B: Body<Data = Bytes>,
@@ -60,14 +69,24 @@ impl Buffered {
             fits((read.len() + data.len()) as u64)?;
             held.grow(data.len())?;
             read.extend_from_slice(&data);
-            inspect(&read)?;
+            if inspect(&read)? == Wanted::Nothing {
+                break;
+            }
         }
         Ok((read.freeze(), held))
     }
 }
 
 impl Held {
-    fn grow(&mut self, by: usize) -> Result<(), Refused> {
+    /// What is held of so many bytes, to be given back by itself.
+    pub(crate) fn part(&mut self, bytes: usize) -> Self {
+        let bytes = bytes.min(self.bytes);
+        self.bytes -= bytes;
+        Self { of: self.of.clone(), bytes }
+    }
+
+    /// Holds more; what is refused is held until this is dropped.
+    pub(crate) fn grow(&mut self, by: usize) -> Result<(), Refused> {
         let before = self.of.used.fetch_add(by, Ordering::Relaxed);
         self.bytes += by;
         if before.saturating_add(by) <= self.of.limit {
@@ -90,7 +109,7 @@ mod tests {
     use http_body_util::Full;
 
     async fn read(buffered: &Buffered, bytes: usize, limit: usize) -> Result<(Bytes, Held), Refused> {
-        buffered.read(Full::new(Bytes::from(vec![0; bytes])), 0, limit, |_| Ok(())).await
+        buffered.read(Full::new(Bytes::from(vec![0; bytes])), 0, limit, |_| Ok(Wanted::Rest)).await
     }
 
     #[tokio::test]

@@ -32,7 +32,10 @@ pub(crate) struct Facts {
     pub(crate) bytes: u64,
     pub(crate) vertices: usize,
     pub(crate) obstacles: usize,
-    /// What came of it: `plan`, `no_path`, `violations`, the reason of a refusal.
+    /// Steps that were answered, if it is a session, and how many of them were refused.
+    pub(crate) steps: Option<u64>,
+    pub(crate) refused_steps: Option<u64>,
+    /// What came of it: `plan`, `no_path`, `violations`, `steps`, the reason of a refusal.
     pub(crate) outcome: Option<&'static str>,
     pub(crate) code: Option<Code>,
     /// Waited for a free worker.

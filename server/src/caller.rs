@@ -46,6 +46,14 @@ pub enum CallError {
         /// What there is.
         known: Vec<String>,
     },
+    /// The call is a session, or is none.
+    #[error("{name} {what}")]
+    OtherForm {
+        /// The call.
+        name: String,
+        /// What it is instead.
+        what: &'static str,
+    },
     /// The address can't be used.
     #[error("{address} is no address to call; send one like http://127.0.0.1:50051")]
     Address {
@@ -82,10 +90,11 @@ impl Caller {
     /// # Errors
     /// See [`CallError`].
     pub async fn call(&self, method: &str, request: impl Into<Bytes>) -> Result<String, CallError> {
-        let procedure = Procedure::named(method).ok_or_else(|| CallError::UnknownMethod {
-            name: method.to_owned(),
-            known: Procedure::all().map(|procedure| procedure.name().to_owned()).collect(),
-        })?;
+        let procedure = procedure(method)?;
+        if procedure.is_session() {
+            let what = "is a session: send it steps, one per line";
+            return Err(CallError::OtherForm { name: procedure.name().to_owned(), what });
+        }
         let mut post = Request::new(Full::new(request.into()));
         *post.method_mut() = Method::POST;
         *post.uri_mut() = procedure.path().parse().unwrap_or_default();
@@ -104,16 +113,37 @@ impl Caller {
     }
 }
 
+/// Whether the call of this name is a session: many steps, many answers.
+#[must_use]
+pub fn is_session(method: &str) -> bool {
+    Procedure::named(method).is_some_and(|procedure| procedure.is_session())
+}
+
+/// The call of this name.
+pub(crate) fn procedure(method: &str) -> Result<Procedure, CallError> {
+    Procedure::named(method).ok_or_else(|| CallError::UnknownMethod {
+        name: method.to_owned(),
+        known: Procedure::all().map(|procedure| procedure.name().to_owned()).collect(),
+    })
+}
+
+/// A connection to a server, and what HTTP/1.1 names it by.
+pub(crate) async fn connection(server: &Uri) -> std::io::Result<(TcpStream, String)> {
+    let host = server.host().unwrap_or_default();
+    let port = server.port_u16().unwrap_or(HTTP_PORT);
+    let stream = TcpStream::connect((host.trim_matches(['[', ']']), port)).await?;
+    stream.set_nodelay(true)?;
+    Ok((stream, format!("{host}:{port}")))
+}
+
 async fn send(
     server: &Uri,
     mut post: Request<Full<Bytes>>,
 ) -> Result<Response<hyper::body::Incoming>, Box<dyn std::error::Error + Send + Sync>> {
-    let host = server.host().unwrap_or_default();
-    let port = server.port_u16().unwrap_or(HTTP_PORT);
-    let stream = TcpStream::connect((host.trim_matches(['[', ']']), port)).await?;
+    let (stream, host) = connection(server).await?;
     let (mut sender, connection) = hyper::client::conn::http1::handshake(TokioIo::new(stream)).await?;
     tokio::spawn(connection);
-    post.headers_mut().insert(header::HOST, format!("{host}:{port}").parse()?);
+    post.headers_mut().insert(header::HOST, host.parse()?);
     Ok(sender.send_request(post).await?)
 }
 
@@ -131,11 +161,16 @@ where
     if status.is_success() {
         return Ok(text);
     }
+    Err(refused(text).unwrap_or_else(|_| broken(format!("it answers {status}: no Traverse server"))))
+}
+
+/// The refusal that a Connect error says; or the text, which is none.
+pub(crate) fn refused(text: String) -> Result<CallError, String> {
     let error: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let part = |name: &str| error.get(name).and_then(|value| value.as_str()).map(str::to_owned);
-    let code = part("code").ok_or_else(|| broken(format!("it answers {status}: no Traverse server")))?;
-    let message = part("message").unwrap_or_default();
-    Err(CallError::Refused { code, reason: reason(&error), message, body: text })
+    let Some(code) = part("code") else { return Err(text) };
+    let (reason, message) = (reason(&error), part("message").unwrap_or_default());
+    Ok(CallError::Refused { code, reason, message, body: text })
 }
 
 /// What its ErrorInfo says; empty without one.
@@ -145,6 +180,6 @@ fn reason(error: &serde_json::Value) -> String {
     info.filter_map(|info| info["debug"]["reason"].as_str()).next().unwrap_or_default().to_owned()
 }
 
-fn unreachable(server: &Uri, why: &(dyn std::error::Error + Send + Sync)) -> CallError {
+pub(crate) fn unreachable(server: &Uri, why: &(dyn std::error::Error + Send + Sync)) -> CallError {
     CallError::Unreachable { server: server.to_string(), why: why.to_string() }
 }

@@ -23,6 +23,12 @@ pub struct Config {
     pub buffered_bytes: usize,
     /// Connections at once; more wait to be accepted.
     pub connection_count: usize,
+    /// Sessions (PlanRapidMoves) that may be open at once.
+    pub session_count: usize,
+    /// Vertices that the scenes of all sessions may have together; each takes about 750 bytes.
+    pub session_vertex_count: usize,
+    /// A session without a step, or without a reader for its answers, is ended after this long.
+    pub session_idle: Duration,
     /// Time limit of a request that names none and comes without a deadline.
     pub default_time_limit: Duration,
     /// Longest time limit; a longer one is cut to it.
@@ -40,6 +46,9 @@ impl Default for Config {
             limits: Limits::default(),
             buffered_bytes: 256 * 1024 * 1024,
             connection_count: 1024,
+            session_count: 32,
+            session_vertex_count: 1_000_000,
+            session_idle: Duration::from_secs(300),
             default_time_limit: Duration::from_secs(10),
             longest_time_limit: Duration::from_secs(120),
             drain_grace: Duration::from_secs(10),
@@ -73,6 +82,9 @@ impl Config {
         at_least("limits.vertex_count", limits.vertex_count, 3);
         at_least("limits.obstacle_count", limits.obstacle_count, 1);
         at_least("limits.step_count", limits.step_count, 1);
+        at_least("limits.distance_count", limits.distance_count, 1);
+        at_least("session_count", self.session_count, 1);
+        at_least("session_vertex_count", self.session_vertex_count, limits.vertex_count);
         at_least("limits.section_count", limits.section_count, 1);
         at_least("limits.part_count", limits.part_count, 1);
         at_least("buffered_bytes", self.buffered_bytes, limits.message_bytes);
@@ -85,6 +97,9 @@ impl Config {
         }
         if self.workers > 1024 {
             findings.push(format!("workers is {}; more than 1024 threads serve nobody", self.workers));
+        }
+        if self.session_idle.is_zero() {
+            findings.push("session_idle is 0; every session would end at once".to_owned());
         }
         if self.default_time_limit.is_zero() {
             findings.push("default_time_limit is 0; no call could be answered".to_owned());

@@ -53,7 +53,7 @@ pub(crate) struct Asked {
 }
 
 /// A timeout so short that the reserve would eat it is halved instead.
-fn less_reserve(timeout: Duration) -> Duration {
+pub(crate) fn less_reserve(timeout: Duration) -> Duration {
     timeout.saturating_sub(ANSWER_RESERVE).max(timeout / 2)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::call::Call;
 use crate::deadline::STOP_GRACE;
-use crate::pool::{Pool, QueueFull};
+use crate::pool::{Entry, Pool, QueueFull};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -33,12 +33,35 @@ impl Dispatcher {
         deadline: Option<Instant>,
         work: impl FnOnce(&Budget) -> Result<T, Refused> + Send + 'static,
     ) -> Result<T, Refused> {
+        self.run_by(Entry::Call, call, deadline, work).await
+    }
+
+    /// The same for a turn of a session, which the queue takes in always: there are not more of them than sessions.
+    ///
+    /// # Errors
+    /// As [`Dispatcher::run`], but that the queue is full.
+    pub(crate) async fn run_turn<T: Send + 'static>(
+        &self,
+        call: &Arc<Call>,
+        deadline: Option<Instant>,
+        work: impl FnOnce(&Budget) -> Result<T, Refused> + Send + 'static,
+    ) -> Result<T, Refused> {
+        self.run_by(Entry::Turn, call, deadline, work).await
+    }
+
+    async fn run_by<T: Send + 'static>(
+        &self,
+        entry: Entry,
+        call: &Arc<Call>,
+        deadline: Option<Instant>,
+        work: impl FnOnce(&Budget) -> Result<T, Refused> + Send + 'static,
+    ) -> Result<T, Refused> {
         let cancel = CancelToken::new();
         let budget = Budget { deadline, iterations: None, cancel: cancel.clone() };
         let (answer, answered) = oneshot::channel();
         let queued_at = Instant::now();
         let facts = Arc::clone(call);
-        let ticket = self.pool.submit(cancel, move || {
+        let ticket = self.pool.submit(entry, cancel, move || {
             let begun_at = Instant::now();
             let result = catch_unwind(AssertUnwindSafe(|| work(&budget)));
             facts.note(|facts| {

@@ -5,7 +5,8 @@ use traverse_checker::{PathCheck, SectionsCheck, check_rapid_move_by_while, chec
 use traverse_geometry::{Finding, Scene};
 use traverse_layout_sequencing::{JoinMatrix, LayoutAnswer, joins, order_sections};
 use traverse_planner::{
-    Answer, RapidMove, Refusal, Stats, ToolChange, ToolChangeAnswer, plan_rapid_move, plan_tool_change,
+    Answer, DistanceQuery, DistancesRefusal, PreparedScene, RapidMove, Refusal, Stats, ToolChange,
+    ToolChangeAnswer, plan_distances, plan_rapid_move, plan_tool_change,
 };
 use traverse_proto::{CheckQuestion, CheckSectionsQuestion, OrderQuestion};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
@@ -36,6 +37,40 @@ pub trait Engines: Send + Sync + 'static {
         budget: &Budget,
     ) -> Result<(ToolChangeAnswer, Stats), Vec<Refusal>> {
         plan_tool_change(scene, change, budget, &mut Silent)
+    }
+
+    /// Takes a session's scene apart.
+    ///
+    /// # Errors
+    /// The budget ended.
+    fn prepare_scene(&self, scene: Scene, budget: &Budget) -> Result<PreparedScene, Interrupt> {
+        PreparedScene::new(scene, budget)
+    }
+
+    /// Plans one rapid move in a session's scene.
+    ///
+    /// # Errors
+    /// As [`plan_rapid_move`].
+    fn plan_in_scene(
+        &self,
+        scene: &mut PreparedScene,
+        query: &RapidMove,
+        budget: &Budget,
+    ) -> Result<(Answer, Stats), Vec<Refusal>> {
+        scene.plan(query, budget, &mut Silent)
+    }
+
+    /// Works out shortest costs between many points.
+    ///
+    /// # Errors
+    /// As [`plan_distances`].
+    fn plan_distances(
+        &self,
+        scene: &Scene,
+        query: &DistanceQuery,
+        budget: &Budget,
+    ) -> Result<Vec<f64>, DistancesRefusal> {
+        plan_distances(scene, query, budget)
     }
 
     /// Checks one rapid move. None: the budget ended first.

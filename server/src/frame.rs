@@ -31,6 +31,12 @@ pub(crate) fn check_head(read: &[u8], limit: usize, encoding: Option<&str>) -> R
     }
 }
 
+/// How long the frame is that `read` begins with, its head included; none before the head is complete.
+pub(crate) fn length(read: &[u8]) -> Option<usize> {
+    let &[_, a, b, c, d] = read.first_chunk::<HEADER>()?;
+    Some(HEADER + u32::from_be_bytes([a, b, c, d]) as usize)
+}
+
 /// The one message of a request.
 pub(crate) fn message(request: &[u8]) -> Result<&[u8], Refused> {
     let Some((&[_, a, b, c, d], message)) = request.split_first_chunk::<HEADER>() else {

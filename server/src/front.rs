@@ -39,8 +39,7 @@ impl Front {
             },
             Protocol::Json | Protocol::Proto => self.connect.answer(&call, request).await,
         };
-        log.end(&response);
-        response
+        log.end(response)
     }
 }
 
@@ -70,7 +69,9 @@ fn spoken(headers: &HeaderMap) -> Protocol {
         Protocol::GrpcWeb
     } else if content_type.starts_with(b"application/grpc") {
         Protocol::Grpc
-    } else if content_type.starts_with(b"application/proto") {
+    } else if content_type.starts_with(b"application/proto")
+        || content_type.starts_with(b"application/connect+proto")
+    {
         Protocol::Proto
     } else {
         Protocol::Json

@@ -1,17 +1,18 @@
 //! What every gRPC call passes before tonic: there is such a call, the request fits, its frame is whole, it holds no more
 //! items than permitted. Faults that escape a handler end here.
 
-use crate::buffered::{Buffered, Held};
+use crate::buffered::{Buffered, Held, Wanted};
 use crate::call::{Call, Protocol};
 use crate::config::Config;
 use crate::deadline::grpc_timeout;
 use crate::ends_at_drain::EndsAtDrain;
 use crate::frame;
 use crate::planner_service::Reading;
+use crate::session::{Framing, Opening, Sessions};
 use bytes::Bytes;
 use futures_util::FutureExt;
 use futures_util::future::BoxFuture;
-use http::{Request, Response};
+use http::{Request, Response, Version};
 use http_body_util::Full;
 use std::convert::Infallible;
 use std::panic::AssertUnwindSafe;
@@ -33,6 +34,7 @@ pub(crate) struct Guard {
     pub(crate) routes: Routes,
     pub(crate) config: Arc<Config>,
     pub(crate) buffered: Buffered,
+    pub(crate) sessions: Arc<Sessions>,
     /// Raised when the server begins to drain.
     pub(crate) drain: CancellationToken,
 }
@@ -67,7 +69,11 @@ impl Guard {
         }
     }
 
-    async fn admit_and_route(self, call: &Call, request: Request<Body>) -> Result<Response<Body>, Refused> {
+    async fn admit_and_route(
+        self,
+        call: &Arc<Call>,
+        request: Request<Body>,
+    ) -> Result<Response<Body>, Refused> {
         let path = request.uri().path();
         if PASSED.iter().any(|passed| path.starts_with(passed)) {
             let drain = self.drain.clone();
@@ -75,6 +81,18 @@ impl Guard {
         }
         let unknown = || Refused::UnknownMethod { path: path.to_owned() };
         let procedure = Procedure::at_path(path).ok_or_else(unknown)?;
+        if procedure.is_session() {
+            let (head, body) = request.into_parts();
+            let encoding = head.headers.get("grpc-encoding").and_then(|value| value.to_str().ok());
+            return self.sessions.open(Opening {
+                call: Arc::clone(call),
+                procedure,
+                framing: Framing::Grpc,
+                timeout: grpc_timeout(&head.headers)?,
+                encoding: encoding.map(str::to_owned),
+                body,
+            });
+        }
         let (request, held) = self.admit(call, &procedure, request).await?;
         let response = self.route(request).await;
         drop(held);
@@ -91,7 +109,13 @@ impl Guard {
         let (mut head, body) = request.into_parts();
         let timeout = grpc_timeout(&head.headers)?;
         let encoding = head.headers.get("grpc-encoding").and_then(|value| value.to_str().ok());
-        let inspect = |read: &[u8]| frame::check_head(read, limits.message_bytes, encoding);
+        // Clients send the end of an HTTP/2 stream behind the message, in a packet of its own: it is not waited for.
+        let ends_late = head.version == Version::HTTP_2;
+        let inspect = |read: &[u8]| {
+            frame::check_head(read, limits.message_bytes, encoding)?;
+            let is_whole = ends_late && frame::length(read).is_some_and(|length| read.len() >= length);
+            Ok(if is_whole { Wanted::Nothing } else { Wanted::Rest })
+        };
         let read = self.buffered.read(body, frame::HEADER, limits.message_bytes, inspect);
         let patience = timeout.unwrap_or(self.config.longest_time_limit).min(self.config.longest_time_limit);
         let late = |_| Refused::TimeLimitReached { lower_bound: None };

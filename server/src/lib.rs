@@ -2,7 +2,8 @@
 //!
 //! A request passes, in order: `accept` (connections, drain), `front` (which protocol, one log line), `connect` (JSON and
 //! protobuf over POST, transcoded to gRPC), `guard` (sizes and counts before decoding), tonic, `planner_service`,
-//! `dispatch` and `pool` (admission, deadline, cancel, panics), and there the engines.
+//! `dispatch` and `pool` (admission, deadline, cancel, panics), and there the engines. A session (PlanRapidMoves) goes from
+//! `guard` or `connect` to `session`, and from there to the pool turn by turn.
 //!
 //! ```no_run
 //! use traverse_server::{Config, Server, shutdown_signal};
@@ -21,6 +22,7 @@ mod buffered;
 mod call;
 mod call_log;
 mod caller;
+mod caller_session;
 mod config;
 mod connect;
 mod deadline;
@@ -38,11 +40,12 @@ mod planner_service;
 mod pool;
 mod sections_service;
 mod server;
+mod session;
 mod signal;
 mod telemetry;
 mod tool_change;
 
-pub use caller::{CallError, Caller};
+pub use caller::{CallError, Caller, is_session};
 pub use config::{Config, ConfigError, DEFAULT_PORT};
 pub use deadline::ANSWER_RESERVE;
 pub use dispatch::RETRY_AFTER;

@@ -14,6 +14,7 @@ pub(crate) fn limits_answer(config: &Config) -> GetLimitsResponse {
         coordinate_mm: COORDINATE_LIMIT_MM,
         vertex_count: wide(limits.vertex_count),
         obstacle_count: narrow(limits.obstacle_count),
+        distance_count: narrow(limits.distance_count),
         section_count: narrow(limits.section_count),
         part_count: narrow(limits.part_count),
         join_count: wide(limits.join_count),
@@ -22,6 +23,7 @@ pub(crate) fn limits_answer(config: &Config) -> GetLimitsResponse {
         queued_call_count: narrow(config.queued_call_count),
         radius_mm: RADIUS_LIMIT_MM,
         step_count: wide(limits.step_count),
+        session_count: narrow(config.session_count),
     }
 }
 

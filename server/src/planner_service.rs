@@ -10,18 +10,19 @@ use crate::sections_service;
 use crate::tool_change;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use tonic::{Code, Request, Response, Status};
+use tonic::{Code, Request, Response, Status, Streaming};
 use traverse_geometry::Scene;
 use traverse_planner::Answer;
 use traverse_proto::v1::planner_service_server::PlannerService;
 use traverse_proto::v1::{
     CheckRapidMoveRequest, CheckRapidMoveResponse, CheckSectionsRequest, CheckSectionsResponse,
     GetLimitsRequest, GetLimitsResponse, OrderSectionsRequest, OrderSectionsResponse, PlaceToolChangeRequest,
-    PlaceToolChangeResponse, PlanRapidMoveRequest, PlanRapidMoveResponse,
+    PlaceToolChangeResponse, PlanDistancesRequest, PlanDistancesResponse, PlanRapidMoveRequest,
+    PlanRapidMoveResponse, PlanRapidMovesRequest, PlanRapidMovesResponse,
 };
 use traverse_proto::{
-    CheckQuestion, CountedLimit, PlanQuestion, Refused, check_answer, plan_answer,
-    requested_order_time_limit, requested_time_limit, rules_time_limit, sound_answer,
+    CheckQuestion, CountedLimit, DistancesQuestion, PlanQuestion, Refused, check_answer, distances_answer,
+    plan_answer, requested_order_time_limit, requested_time_limit, rules_time_limit, sound_answer,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -63,6 +64,28 @@ impl PlannerService for Planner {
         let (facts, request) = (Arc::clone(&call), request.into_inner());
         let work = move |budget: &Budget| tool_change::place(&config, &*engines, &facts, request, budget);
         self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
+    }
+
+    async fn plan_distances(
+        &self,
+        request: Request<PlanDistancesRequest>,
+    ) -> Result<Response<PlanDistancesResponse>, Status> {
+        let call = call_of(&request);
+        let deadline = self.deadline(&call, &request, rules_time_limit(request.get_ref().rules.as_ref()));
+        let (config, engines) = (Arc::clone(&self.config), Arc::clone(&self.engines));
+        let (facts, request) = (Arc::clone(&call), request.into_inner());
+        let work = move |budget: &Budget| distances(&config, &*engines, &facts, request, budget);
+        self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
+    }
+
+    type PlanRapidMovesStream = futures_util::stream::Empty<Result<PlanRapidMovesResponse, Status>>;
+
+    /// Never called: the guard opens sessions before tonic sees them.
+    async fn plan_rapid_moves(
+        &self,
+        _request: Request<Streaming<PlanRapidMovesRequest>>,
+    ) -> Result<Response<Self::PlanRapidMovesStream>, Status> {
+        Err(crate::fault::of("a session came past the guard").to_status())
     }
 
     async fn check_rapid_move(
@@ -195,6 +218,22 @@ fn plan(
             None => Err(crate::fault::of("the planner refused without a reason")),
         },
     }
+}
+
+fn distances(
+    config: &Config,
+    engines: &dyn Engines,
+    call: &Call,
+    request: PlanDistancesRequest,
+    budget: &Budget,
+) -> Result<(PlanDistancesResponse, &'static str), Refused> {
+    let question = DistancesQuestion::from_wire(request, &config.limits, budget)?;
+    call.note(|facts| size_of(facts, &question.scene));
+    let budget = Budget { iterations: question.iteration_limit, ..budget.clone() };
+    let costs = engines
+        .plan_distances(&question.scene, &question.query, &budget)
+        .map_err(|refusal| Refused::by_distances(refusal, &question.query))?;
+    Ok((distances_answer(costs, &question.query.rules.cost), "distances"))
 }
 
 fn check(

@@ -10,13 +10,25 @@ type Work = Box<dyn FnOnce() + Send>;
 
 struct Job {
     number: u64,
+    entry: Entry,
     cancel: CancelToken,
     work: Work,
+}
+
+/// How work comes into the queue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Entry {
+    /// If there is room.
+    Call,
+    /// Always: a turn of a session, of which each has one at most.
+    Turn,
 }
 
 #[derive(Default)]
 struct Queue {
     jobs: VecDeque<Job>,
+    /// How many of them are turns.
+    turns: usize,
     next_number: u64,
     idle_workers: usize,
     closed: bool,
@@ -71,17 +83,20 @@ impl Pool {
     /// Queues work. `work` does not run when `cancel` was raised before its turn.
     pub(crate) fn submit(
         &self,
+        entry: Entry,
         cancel: CancelToken,
         work: impl FnOnce() + Send + 'static,
     ) -> Result<Ticket, QueueFull> {
         let mut queue = self.shared.queue();
         // An idle worker takes what waits for it at once: that is not queueing.
-        if queue.jobs.len() >= self.shared.capacity.saturating_add(queue.idle_workers) {
+        let calls = queue.jobs.len() - queue.turns;
+        if entry == Entry::Call && calls >= self.shared.capacity.saturating_add(queue.idle_workers) {
             return Err(QueueFull { capacity: self.shared.capacity });
         }
         let number = queue.next_number;
         queue.next_number += 1;
-        queue.jobs.push_back(Job { number, cancel: cancel.clone(), work: Box::new(work) });
+        queue.turns += usize::from(entry == Entry::Turn);
+        queue.jobs.push_back(Job { number, entry, cancel: cancel.clone(), work: Box::new(work) });
         drop(queue);
         self.shared.work_came.notify_one();
         Ok(Ticket { number, cancel, shared: Arc::clone(&self.shared) })
@@ -93,6 +108,7 @@ impl Drop for Pool {
         let mut queue = self.shared.queue();
         queue.closed = true;
         let forgotten = std::mem::take(&mut queue.jobs);
+        queue.turns = 0;
         drop(queue);
         self.shared.work_came.notify_all();
         drop(forgotten);
@@ -105,6 +121,7 @@ impl Drop for Ticket {
         let mut queue = self.shared.queue();
         let place = queue.jobs.iter().position(|job| job.number == self.number);
         let job = place.and_then(|place| queue.jobs.remove(place));
+        queue.turns -= job.iter().filter(|job| job.entry == Entry::Turn).count();
         drop(queue);
         drop(job);
     }
@@ -128,6 +145,7 @@ fn next_job(shared: &Shared) -> Option<Job> {
         }
         if let Some(job) = queue.jobs.pop_front() {
             queue.idle_workers -= 1;
+            queue.turns -= usize::from(job.entry == Entry::Turn);
             return Some(job);
         }
         queue = shared.work_came.wait(queue).unwrap_or_else(PoisonError::into_inner);
@@ -157,14 +175,19 @@ mod tests {
     fn what_does_not_fit_is_refused_and_what_is_dropped_makes_room() {
         let pool = Pool::start(1, 1).expect("threads");
         let (work, begun, end) = gate();
-        let running = pool.submit(CancelToken::new(), work).expect("idle");
+        let running = pool.submit(Entry::Call, CancelToken::new(), work).expect("idle");
         begun.recv_timeout(HANG).expect("it runs");
-        let waiting = pool.submit(CancelToken::new(), || panic!("its caller is gone")).expect("one may wait");
-        assert_eq!(pool.submit(CancelToken::new(), || ()).err(), Some(QueueFull { capacity: 1 }));
+        let waiting = pool
+            .submit(Entry::Call, CancelToken::new(), || panic!("its caller is gone"))
+            .expect("one may wait");
+        assert_eq!(
+            pool.submit(Entry::Call, CancelToken::new(), || ()).err(),
+            Some(QueueFull { capacity: 1 })
+        );
         drop(waiting);
         let (done, is_done) = channel();
         let next = pool
-            .submit(CancelToken::new(), move || done.send(()).expect("heard"))
+            .submit(Entry::Call, CancelToken::new(), move || done.send(()).expect("heard"))
             .expect("there is room again");
         end.send(()).expect("it waits");
         is_done.recv_timeout(HANG).expect("it runs");
@@ -172,12 +195,37 @@ mod tests {
     }
 
     #[test]
+    fn turns_wait_beside_calls_and_take_none_of_their_room() {
+        let pool = Pool::start(1, 1).expect("threads");
+        let (work, begun, end) = gate();
+        let running = pool.submit(Entry::Call, CancelToken::new(), work).expect("idle");
+        begun.recv_timeout(HANG).expect("it runs");
+        let (done, order) = channel();
+        let submit = |entry, name: &'static str| {
+            let done = done.clone();
+            pool.submit(entry, CancelToken::new(), move || done.send(name).expect("heard"))
+        };
+        let turns = [submit(Entry::Turn, "turn"), submit(Entry::Turn, "another turn")];
+        let call = submit(Entry::Call, "call").expect("one may wait");
+        assert!(submit(Entry::Call, "one too many").is_err());
+        let [first, second] = turns.map(|turn| turn.expect("always"));
+        drop(first);
+        end.send(()).expect("it waits");
+        let next = || order.recv_timeout(HANG).expect("it runs");
+        assert_eq!([next(), next()], ["another turn", "call"], "in the order in which they came");
+        drop((running, second, call));
+    }
+
+    #[test]
     fn a_panic_does_not_cost_a_worker() {
         let pool = Pool::start(1, 8).expect("threads");
-        let tickets: Vec<Ticket> =
-            (0..4).map(|_| pool.submit(CancelToken::new(), || panic!("on purpose")).expect("room")).collect();
+        let tickets: Vec<Ticket> = (0..4)
+            .map(|_| pool.submit(Entry::Call, CancelToken::new(), || panic!("on purpose")).expect("room"))
+            .collect();
         let (done, is_done) = channel();
-        let last = pool.submit(CancelToken::new(), move || done.send(()).expect("heard")).expect("room");
+        let last = pool
+            .submit(Entry::Call, CancelToken::new(), move || done.send(()).expect("heard"))
+            .expect("room");
         is_done.recv_timeout(HANG).expect("the worker lives");
         drop((tickets, last));
     }

@@ -11,6 +11,7 @@ use crate::guard::Guard;
 use crate::http_service::HttpService;
 use crate::planner_service::Planner;
 use crate::pool::Pool;
+use crate::session::Sessions;
 use std::net::SocketAddr;
 use std::sync::Arc;
 use tokio::net::TcpListener;
@@ -79,15 +80,24 @@ impl Server {
         let dispatcher = Arc::new(Dispatcher { pool, hard_stop: hard_stop.clone() });
         let config = Arc::new(config);
         let buffered = Buffered::new(config.buffered_bytes);
+        let engines: Arc<dyn Engines> = Arc::new(engines);
         let planner = Planner {
             config: Arc::clone(&config),
             dispatcher: Arc::clone(&dispatcher),
-            engines: Arc::new(engines),
+            engines: Arc::clone(&engines),
         };
+        let sessions = Sessions::new(&config, &dispatcher, &engines, &buffered, &drain);
+        let sessions = Arc::new(sessions);
         let (health, routes) = routes(planner)?;
-        let guard =
-            Guard { routes, config: Arc::clone(&config), buffered: buffered.clone(), drain: drain.clone() };
-        let connect = Connect { grpc: guard.clone(), config: Arc::clone(&config), dispatcher, buffered };
+        let guard = Guard {
+            routes,
+            config: Arc::clone(&config),
+            buffered: buffered.clone(),
+            sessions: Arc::clone(&sessions),
+            drain: drain.clone(),
+        };
+        let connect =
+            Connect { grpc: guard.clone(), config: Arc::clone(&config), dispatcher, buffered, sessions };
         let service = HttpService::new(Front::new(guard, connect));
         Ok(Self { config, service, health, drain, hard_stop })
     }

@@ -1,9 +1,10 @@
 //! A small client of the Traverse service, to copy from: connect, build a scene, ask with a deadline, try again when
-//! that helps, read plans, refusals and findings.
+//! that helps, read plans, refusals and findings; open a session over a scene that changes.
 
 mod calling;
 mod report;
 mod scene;
+mod session;
 
 /// Generated from `proto/traverse/v1`.
 #[allow(
@@ -20,5 +21,6 @@ pub mod traverse {
 }
 
 pub use calling::{connect, plan_rapid_move};
-pub use report::{print_answer, print_refusal};
+pub use report::{print_answer, print_refusal, print_step};
 pub use scene::{disc, point, rectangle, scene};
+pub use session::{Steps, open_session};

@@ -1,7 +1,8 @@
 //! What came of a call, as text.
 
 use crate::traverse::plan_rapid_move_response::Outcome;
-use crate::traverse::{PathStep, PlanRapidMoveResponse};
+use crate::traverse::plan_rapid_moves_response::Outcome as StepOutcome;
+use crate::traverse::{NoPath, PathStep, PlanRapidMoveResponse, PlanRapidMovesResponse, RapidPlan};
 use std::io::{self, Write};
 use tonic::Status;
 use tonic_types::StatusExt;
@@ -12,25 +13,48 @@ use tonic_types::StatusExt;
 /// It can't be written.
 pub fn print_answer(answer: &PlanRapidMoveResponse, to: &mut impl Write) -> io::Result<()> {
     match &answer.outcome {
-        Some(Outcome::Plan(plan)) => {
-            writeln!(to, "{:.3} mm, proven not to be shorter than {:.3} mm", plan.cost, plan.lower_bound)?;
-            writeln!(to, "round {}", plan.bending_obstacle_ids.join(", "))?;
-            let steps = plan.path.as_ref().map_or(&[][..], |path| &path.steps);
-            steps.iter().try_for_each(|step| print_step(step, to))
-        }
-        // An answer, not an error: no tool can get there.
-        Some(Outcome::NoPath(no_path)) => {
-            writeln!(
-                to,
-                "there is no way: {} part start from target",
-                no_path.separating_obstacle_ids.join(", ")
-            )
-        }
+        Some(Outcome::Plan(plan)) => print_plan(plan, to),
+        Some(Outcome::NoPath(no_path)) => print_no_path(no_path, to),
         None => writeln!(to, "the request is sound"),
     }
 }
 
-fn print_step(step: &PathStep, to: &mut impl Write) -> io::Result<()> {
+/// Prints what came of a session's step.
+///
+/// # Errors
+/// It can't be written.
+pub fn print_step(answer: &PlanRapidMovesResponse, to: &mut impl Write) -> io::Result<()> {
+    write!(to, "{}: ", answer.step_id)?;
+    match &answer.outcome {
+        Some(StepOutcome::Plan(plan)) => print_plan(plan, to),
+        Some(StepOutcome::NoPath(no_path)) => print_no_path(no_path, to),
+        Some(StepOutcome::SceneChanged(changed)) => {
+            writeln!(to, "the scene holds {} obstacles now", changed.obstacle_count)
+        }
+        // Of this step alone; the session goes on.
+        Some(StepOutcome::Problem(problem)) => {
+            writeln!(to, "refused: {}: {}", problem.reason, problem.message)?;
+            problem.findings.iter().try_for_each(|finding| {
+                writeln!(to, "  {}: {} ({})", finding.field, finding.message, finding.reason)
+            })
+        }
+        None => writeln!(to, "answered with what this client does not know: generate it anew"),
+    }
+}
+
+fn print_plan(plan: &RapidPlan, to: &mut impl Write) -> io::Result<()> {
+    writeln!(to, "{:.3} mm, proven not to be shorter than {:.3} mm", plan.cost, plan.lower_bound)?;
+    writeln!(to, "round {}", plan.bending_obstacle_ids.join(", "))?;
+    let steps = plan.path.as_ref().map_or(&[][..], |path| &path.steps);
+    steps.iter().try_for_each(|step| print_move(step, to))
+}
+
+/// An answer, not an error: no tool can get there.
+fn print_no_path(no_path: &NoPath, to: &mut impl Write) -> io::Result<()> {
+    writeln!(to, "there is no way: {} part start from target", no_path.separating_obstacle_ids.join(", "))
+}
+
+fn print_move(step: &PathStep, to: &mut impl Write) -> io::Result<()> {
     let end = step.end.unwrap_or_default();
     match &step.arc {
         None => writeln!(to, "  G0 X{:.4} Y{:.4}", end.x_mm, end.y_mm),

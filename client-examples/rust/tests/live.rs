@@ -5,7 +5,8 @@ use tokio::net::TcpListener;
 use tokio::sync::oneshot;
 use traverse_client_example::traverse::PlanRapidMoveRequest;
 use traverse_client_example::{
-    connect, disc, plan_rapid_move, point, print_answer, print_refusal, rectangle, scene,
+    connect, disc, open_session, plan_rapid_move, point, print_answer, print_refusal, print_step, rectangle,
+    scene,
 };
 use traverse_server::{Config, Server};
 
@@ -100,4 +101,41 @@ async fn a_server_that_comes_up_late_is_waited_for() {
     let call = tokio::spawn(async move { plan_rapid_move(&mut client, &request, PATIENCE).await });
     let _stop = serve(TcpListener::bind(address).await.expect("still free"));
     assert!(call.await.expect("no panic").expect("it came up").outcome.is_some());
+}
+
+#[tokio::test]
+async fn a_session_plans_while_the_scene_changes() {
+    let listener = TcpListener::bind("127.0.0.1:0").await.expect("a free port");
+    let address = format!("http://{}", listener.local_addr().expect("bound"));
+    let _stop = serve(listener);
+    let mut client = connect(&address).expect("an address");
+    let (steps, mut answers) = open_session(&mut client).await.expect("opened");
+    let sending = tokio::spawn(async move {
+        steps.scene("set up", scene(vec![rectangle("plate", 0.0, 0.0, 60.0, 40.0)], 3.0)).await;
+        steps.plan("round", point(-10.0, 5.0), point(70.0, 5.0)).await;
+        steps.put("clamp on", disc("clamp", 30.0, -8.0, 6.0)).await;
+        steps.plan("other way", point(-10.0, 5.0), point(70.0, 5.0)).await;
+        steps.plan("inside", point(5.0, 5.0), point(70.0, 5.0)).await;
+        steps.remove("plate off", "plate").await;
+        steps.remove("clamp off", "clamp").await;
+        steps.plan("straight", point(-10.0, 5.0), point(70.0, 5.0)).await;
+    });
+    let mut text = Vec::new();
+    while let Some(answer) = answers.message().await.expect("no end") {
+        print_step(&answer, &mut text).expect("written");
+    }
+    sending.await.expect("no panic");
+    let text = String::from_utf8(text).expect("utf-8");
+    for part in [
+        "set up: the scene holds 1 obstacles now",
+        "round: ",
+        "clamp on: the scene holds 2 obstacles now",
+        "other way: ",
+        "inside: refused: END_INSIDE_BARRIER",
+        "  query.start: ",
+        "clamp off: the scene holds 0 obstacles now",
+        "straight: 80.000 mm",
+    ] {
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
 }

@@ -114,7 +114,7 @@ reasons! {
     TooMany = "TOO_MANY",
     /// A setting that has no meaning together with another one.
     NotApplicable = "NOT_APPLICABLE",
-    /// An id that stands for nothing in the request.
+    /// An id that stands for nothing in the request, or in a session's scene.
     UnknownId = "UNKNOWN_ID",
 }
 

@@ -6,7 +6,7 @@ use crate::standing::depths;
 use crate::way_out::{ShutIn, way_out};
 use crate::{RapidMove, Refusal};
 use std::collections::BTreeSet;
-use traverse_geometry::{EndRule, Point};
+use traverse_geometry::{EndRule, Point, RapidRules};
 use traverse_solve::{Budget, Interrupt};
 
 /// Where a move begins and ends once it is clear of barriers.
@@ -25,7 +25,7 @@ pub(crate) fn clear_ends(
     let start_z = heights.map_or(0.0, |rule| rule.start_z_mm);
     let target_z = heights.map_or(0.0, |rule| rule.target_z_mm);
     let rules = &query.rules;
-    let end = |field, point, z_mm, rule| clear_end(barriers, query, field, point, z_mm, rule, budget);
+    let end = |field, point, z_mm, rule| clear_end(barriers, rules, field, point, z_mm, rule, budget);
     let start = end("start", query.start, start_z, &rules.leave)?;
     let target = end("target", query.target, target_z, &rules.enter)?;
     Ok(match (start, target) {
@@ -34,16 +34,20 @@ pub(crate) fn clear_ends(
     })
 }
 
-fn clear_end(
+/// Where one end, which the planner's refusals call `field`, is clear.
+///
+/// # Errors
+/// As [`clear_ends`].
+pub(crate) fn clear_end(
     barriers: &Barriers<'_>,
-    query: &RapidMove,
+    rules: &RapidRules,
     field: &'static str,
     point: Point,
     z_mm: f64,
     rule: &EndRule,
     budget: &Budget,
 ) -> Result<Result<Point, Vec<Refusal>>, Interrupt> {
-    let left_out = passed_over(barriers, query.rules.heights, z_mm);
+    let left_out = passed_over(barriers, rules.heights, z_mm);
     let inside = depths(barriers, &left_out, point, budget)?;
     if inside.is_empty() {
         return Ok(Ok(point));
@@ -56,7 +60,7 @@ fn clear_end(
         };
         return Ok(Err(inside.into_iter().map(refusal).collect()));
     }
-    let found = match query.rules.dog_leg() {
+    let found = match rules.dog_leg() {
         Some(speeds) if *rule == EndRule::Nearest => {
             let rules = speeds.straight_directions().map(EndRule::Direction);
             shortest_of(barriers, &left_out, &inside, point, &rules, budget)?

@@ -13,7 +13,8 @@
 //! 2008 (`supporting_lines`).
 //!
 //! Many moves in one scene, which may change between them, are planned in a [`PreparedScene`] (`prepared`): it keeps what
-//! can be seen from where, and answers what a fresh scene would.
+//! can be seen from where, and answers what a fresh scene would. What many moves between points would cost is worked out
+//! from each point to all others at once (`distances`).
 //!
 //! ```
 //! use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, RapidRules, Ring, Scene};
@@ -46,6 +47,7 @@
 mod at_clearance;
 mod barrier;
 mod barriers;
+mod distances;
 mod drive;
 mod ends;
 mod feasible;
@@ -68,9 +70,10 @@ mod tool_change;
 mod trace;
 mod way_out;
 
+pub use distances::{DistanceEnd, DistanceQuery, DistancesRefusal, plan_distances};
 pub use drive::as_run;
 pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
-pub use prepared::{EditRefusal, PreparedScene};
+pub use prepared::{EditRefusal, PreparedScene, SceneEdit};
 pub use price::travel_cost;
 pub use rapid_move::plan_rapid_move;
 pub use tool_change::{ToolChange, ToolChangeAnswer, ToolChangePlan, plan_tool_change};

@@ -70,12 +70,17 @@ impl Tally<'_> {
                     let length = varint(&mut bytes).and_then(|length| usize::try_from(length).ok());
                     let inner = length.and_then(|length| take(&mut bytes, length)).ok_or(Stop::Malformed)?;
                     let field = u32::try_from(key >> 3).ok().and_then(|number| message.get_field(number));
-                    if let Some((field, Kind::Message(kind))) =
-                        field.as_ref().map(|field| (field, field.kind()))
-                    {
-                        let step = Step { field, parent };
-                        self.count(&step)?;
-                        self.message(&kind, inner, Some(&step), depth)?;
+                    match field.as_ref().map(|field| (field, field.kind())) {
+                        Some((field, Kind::Message(kind))) => {
+                            let step = Step { field, parent };
+                            self.count(&step)?;
+                            self.message(&kind, inner, Some(&step), depth)?;
+                        }
+                        // An empty text is two bytes on the wire and twenty-four in memory.
+                        Some((field, Kind::String)) if field.is_list() => {
+                            self.count(&Step { field, parent })?;
+                        }
+                        _ => {}
                     }
                     Some(())
                 }
@@ -112,7 +117,9 @@ impl Tally<'_> {
             }
         };
         let limit = match step.field.full_name() {
-            "traverse.v1.Scene.obstacles" => limits.obstacle_count,
+            "traverse.v1.Scene.obstacles"
+            | "traverse.v1.EditScene.put_obstacles"
+            | "traverse.v1.EditScene.remove_obstacle_ids" => limits.obstacle_count,
             "traverse.v1.Path.steps" => limits.step_count,
             "traverse.v1.OrderSectionsRequest.sections"
             | "traverse.v1.OrderSectionsRequest.initial_order"
@@ -189,6 +196,25 @@ mod tests {
         let input = Procedure::named("PlanRapidMove").expect("in the contract").input();
         let refused = check_counts(&input, &empty_scenes, &Limits::default()).unwrap_err();
         assert_eq!(refused.findings().first().map(|finding| finding.field.as_str()), Some("scene"));
+    }
+
+    #[test]
+    fn texts_of_a_list_are_counted_too() {
+        let limits = Limits { obstacle_count: 3, ..Limits::default() };
+        let input = Procedure::named("PlanRapidMoves").expect("in the contract").input();
+        let check = |count| {
+            let remove_obstacle_ids = vec![String::new(); count];
+            let edit = v1::EditScene { put_obstacles: vec![], remove_obstacle_ids };
+            let step = Some(v1::plan_rapid_moves_request::Step::Edit(edit));
+            let request = v1::PlanRapidMovesRequest { step_id: "a".into(), step };
+            check_counts(&input, &request.encode_to_vec(), &limits)
+        };
+        assert_eq!(check(3), Ok(()));
+        let refused = check(4).unwrap_err();
+        assert_eq!(
+            refused.findings().first().map(|finding| finding.field.as_str()),
+            Some("edit.remove_obstacle_ids")
+        );
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! Ends of a rapid move that lie inside a barrier.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// An end of a rapid move that lies inside a barrier.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InsideEnd {
-    /// `start` or `target`.
-    pub field: &'static str,
+    /// `start`, `target`, or where it stands in a list of points, such as `from_xy_mm[4]`.
+    pub field: Cow<'static, str>,
     /// The obstacle's id, or `work_area`.
     pub obstacle: String,
     /// How far inside, millimetres.
@@ -26,8 +27,8 @@ impl fmt::Display for InsideEnd {
 /// An end of a rapid move inside a barrier that no permitted way leads out of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShutInEnd {
-    /// `start` or `target`.
-    pub field: &'static str,
+    /// `start`, `target`, or where it stands in a list of points, such as `from_xy_mm[4]`.
+    pub field: Cow<'static, str>,
     /// The obstacle's id, or `work_area`.
     pub obstacle: String,
     /// Why there is no way.

@@ -123,9 +123,10 @@ fn count_values(text: &[u8]) -> usize {
     count
 }
 
-/// Values of the largest request within `limits`, generously: three numbers per vertex, and every field of each message.
+/// Values of the largest request within `limits`, generously: three numbers per vertex, two per point, and every field of
+/// each message.
 fn most_values(limits: &Limits) -> usize {
-    let items = limits.vertex_count.saturating_mul(4);
+    let items = limits.vertex_count.saturating_mul(6);
     let obstacles = limits.obstacle_count.saturating_mul(16);
     let steps = limits.step_count.saturating_mul(16);
     // A section with its copies in a given order, a part with its pole.

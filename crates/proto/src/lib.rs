@@ -55,16 +55,19 @@ pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "
 
 pub use count::check_counts;
 pub use decode::{
-    CheckQuestion, CheckSectionsQuestion, OrderQuestion, OrderReturns, PlanQuestion, ToolChangeQuestion,
-    order_from_wire, path_from_wire, requested_order_time_limit, requested_time_limit, rules_time_limit,
+    CheckQuestion, CheckSectionsQuestion, DistancesQuestion, OrderQuestion, OrderReturns, PlanQuestion,
+    StepQuestion, ToolChangeQuestion, edit_from_wire, order_from_wire, path_from_wire,
+    requested_order_time_limit, requested_time_limit, rules_time_limit, scene_from_wire, step_id_of,
 };
 pub use encode::{
     CountedLimit, Improvement, SearchFacts, check_answer, check_request, check_sections_answer,
-    check_sections_request, order_answer, order_request, plan_answer, plan_request, sound_answer,
-    sound_order_answer, tool_change_answer, tool_change_request,
+    check_sections_request, distances_answer, order_answer, order_request, plan_answer, plan_request,
+    problem, scene_changed, scene_message, sound_answer, sound_order_answer, step_plan, tool_change_answer,
+    tool_change_request,
 };
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;
+pub use prost_reflect::MessageDescriptor;
 pub use refused::{REASONS, Refused};
 pub use schema::{PLANNER_SERVICE, Procedure};
 pub use status::{DOMAIN, FINDINGS_BYTES};

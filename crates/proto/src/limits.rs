@@ -11,6 +11,8 @@ pub struct Limits {
     pub obstacle_count: usize,
     /// Most steps of a path to check.
     pub step_count: usize,
+    /// Most costs of one matrix of distances.
+    pub distance_count: usize,
     /// Most sections of one layout, every copy counted.
     pub section_count: usize,
     /// Most parts of all sections of one request, copies not counted; and most placed parts of one answer.
@@ -29,6 +31,7 @@ impl Default for Limits {
             vertex_count: 250_000,
             obstacle_count: 50_000,
             step_count: 50_000,
+            distance_count: 1_000_000,
             section_count: 20_000,
             part_count: 50_000,
             join_count: 400_000,

@@ -3,7 +3,7 @@
 use crate::{InsideEnd, ShutInEnd};
 use std::time::Duration;
 use traverse_geometry::Finding;
-use traverse_planner::Refusal;
+use traverse_planner::{DistanceEnd, DistanceQuery, DistancesRefusal, Refusal};
 use traverse_solve::Interrupt;
 
 macro_rules! refusals {
@@ -101,6 +101,16 @@ refusals! {
         /// When to try again.
         retry_after: Duration,
     } = "QUEUE_FULL",
+    /// A step of a session asks for a scene that does not count.
+    SceneStale {
+        /// Why it does not.
+        why: &'static str,
+    } = "SCENE_STALE",
+    /// A session was left alone for too long.
+    SessionIdle {
+        /// For how long.
+        after: Duration,
+    } = "SESSION_IDLE",
     /// The server is going down.
     ServerDraining = "SERVER_DRAINING",
     /// The caller no longer wants the answer.
@@ -159,10 +169,10 @@ impl Refused {
         for refusal in refusals {
             match refusal {
                 Refusal::EndInsideBarrier { field, obstacle, depth_mm } => {
-                    ends.push(InsideEnd { field, obstacle, depth_mm });
+                    ends.push(InsideEnd { field: field.into(), obstacle, depth_mm });
                 }
                 Refusal::EndShutIn { field, obstacle, why } => {
-                    shut_in.push(ShutInEnd { field, obstacle, why });
+                    shut_in.push(ShutInEnd { field: field.into(), obstacle, why });
                 }
                 Refusal::NoRoomForDogLegs => {
                     other.get_or_insert(Self::NoRoomForDogLegs);
@@ -179,6 +189,55 @@ impl Refused {
             (false, _) => Some(Self::EndShutIn { ends: shut_in, inside: ends }),
             (true, false) => Some(Self::EndInsideBarrier { ends }),
             (true, true) => other,
+        }
+    }
+
+    /// Why distances can't be given; `query` is what was asked for.
+    #[must_use]
+    pub fn by_distances(refusal: DistancesRefusal, query: &DistanceQuery) -> Self {
+        let (mut inside, mut shut_in) = (Vec::new(), Vec::new());
+        let ends = match refusal {
+            DistancesRefusal::Ends(ends) => ends,
+            DistancesRefusal::Move(refusal) => return Self::of_move(refusal),
+            DistancesRefusal::Interrupted(interrupt) => return Self::interrupted(interrupt, None),
+        };
+        for (end, refusal) in ends {
+            let field = match end {
+                DistanceEnd::To(i) if !query.to.is_empty() => format!("to_xy_mm[{}]", 2 * i),
+                DistanceEnd::From(i) | DistanceEnd::To(i) => format!("from_xy_mm[{}]", 2 * i),
+            };
+            match refusal {
+                Refusal::EndInsideBarrier { obstacle, depth_mm, .. } => {
+                    inside.push(InsideEnd { field: field.into(), obstacle, depth_mm });
+                }
+                Refusal::EndShutIn { obstacle, why, .. } => {
+                    shut_in.push(ShutInEnd { field: field.into(), obstacle, why });
+                }
+                other => return Self::of_move(other),
+            }
+        }
+        if shut_in.is_empty() {
+            Self::EndInsideBarrier { ends: inside }
+        } else {
+            Self::EndShutIn { ends: shut_in, inside }
+        }
+    }
+
+    /// One refusal of the planner.
+    fn of_move(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::EndInsideBarrier { field, obstacle, depth_mm } => {
+                Self::EndInsideBarrier { ends: vec![InsideEnd { field: field.into(), obstacle, depth_mm }] }
+            }
+            Refusal::EndShutIn { field, obstacle, why } => {
+                let ends = vec![ShutInEnd { field: field.into(), obstacle, why }];
+                Self::EndShutIn { ends, inside: Vec::new() }
+            }
+            Refusal::NoRoomForDogLegs => Self::NoRoomForDogLegs,
+            Refusal::PublishedMethodNotApplicable { why } => Self::PublishedMethodNotApplicable { why },
+            Refusal::Interrupted { interrupt, lower_bound } => {
+                Self::interrupted(interrupt, Some(lower_bound))
+            }
         }
     }
 }

@@ -64,6 +64,12 @@ impl Procedure {
         format!("/{}/{}", self.method.parent_service().full_name(), self.method.name())
     }
 
+    /// Whether it is a session: many requests and many answers in one call.
+    #[must_use]
+    pub fn is_session(&self) -> bool {
+        self.method.is_client_streaming() && self.method.is_server_streaming()
+    }
+
     /// What it takes.
     #[must_use]
     pub fn input(&self) -> MessageDescriptor {
@@ -89,7 +95,10 @@ mod tests {
     #[test]
     fn procedures_are_found_by_path_and_by_name() {
         let paths: Vec<String> = Procedure::all().map(|procedure| procedure.path()).collect();
-        assert_eq!(paths.len(), 6);
+        assert_eq!(paths.len(), 8);
+        let sessions =
+            Procedure::all().filter(Procedure::is_session).map(|session| session.name().to_owned());
+        assert_eq!(sessions.collect::<Vec<_>>(), ["PlanRapidMoves"]);
         for path in &paths {
             assert_eq!(Procedure::at_path(path).expect("its own path").path(), *path);
         }

@@ -36,7 +36,8 @@ impl Refused {
             | Self::IterationLimitReached { .. }
             | Self::SearchTooLarge { .. }
             | Self::QueueFull { .. } => Code::ResourceExhausted,
-            Self::TimeLimitReached { .. } => Code::DeadlineExceeded,
+            Self::TimeLimitReached { .. } | Self::SessionIdle { .. } => Code::DeadlineExceeded,
+            Self::SceneStale { .. } => Code::FailedPrecondition,
             Self::ServerDraining => Code::Unavailable,
             Self::Cancelled => Code::Cancelled,
             Self::UnknownMethod { .. } | Self::UnsupportedEncoding { .. } => Code::Unimplemented,
@@ -107,6 +108,11 @@ impl Refused {
             Self::QueueFull { what, retry_after } => {
                 format!("{what}: try again in {} ms", retry_after.as_millis())
             }
+            Self::SceneStale { why } => (*why).to_owned(),
+            Self::SessionIdle { after } => format!(
+                "the session has had no step, or its answers no reader, for {} s: open another one when there is more to plan",
+                after.as_secs()
+            ),
             Self::ServerDraining => "the server is going down: call another one, or this one when it is back".to_owned(),
             Self::Cancelled => "the caller cancelled the call".to_owned(),
             Self::UnknownMethod { path } => {
@@ -121,13 +127,14 @@ impl Refused {
         }
     }
 
+    /// What can be mended in the request, as far as it fits into a status, and how much does not.
     fn field_violations(&self) -> (Vec<FieldViolation>, usize) {
         match self {
             Self::InvalidRequest { findings } => bounded(findings, of_finding),
             Self::EndInsideBarrier { ends } => bounded(ends, |end| of_end(end, self.reason())),
             Self::EndShutIn { ends, inside } => {
                 let (mut listed, omitted) =
-                    bounded(ends, |end| violation(end.field, end.to_string(), self.reason()));
+                    bounded(ends, |end| violation(&end.field, end.to_string(), self.reason()));
                 let (more, more_omitted) = bounded(inside, |end| of_end(end, "END_INSIDE_BARRIER"));
                 listed.extend(more);
                 (listed, omitted + more_omitted)
@@ -144,14 +151,14 @@ impl Refused {
         let pairs: Vec<(&str, String)> = match self {
             Self::EndInsideBarrier { ends } => ends.first().map_or_else(Vec::new, |end| {
                 vec![
-                    ("field", end.field.to_owned()),
+                    ("field", end.field.clone().into_owned()),
                     ("obstacle_id", shortened(&end.obstacle, DESCRIPTION_BYTES)),
                     ("depth_mm", end.depth_mm.to_string()),
                 ]
             }),
             Self::EndShutIn { ends, .. } => ends.first().map_or_else(Vec::new, |end| {
                 vec![
-                    ("field", end.field.to_owned()),
+                    ("field", end.field.clone().into_owned()),
                     ("obstacle_id", shortened(&end.obstacle, DESCRIPTION_BYTES)),
                     ("why", end.why.to_owned()),
                 ]
@@ -202,7 +209,7 @@ fn of_finding(finding: &Finding) -> FieldViolation {
 }
 
 fn of_end(end: &InsideEnd, reason: &str) -> FieldViolation {
-    violation(end.field, end.to_string(), reason)
+    violation(&end.field, end.to_string(), reason)
 }
 
 fn violation(field: &str, description: String, reason: &str) -> FieldViolation {

@@ -15,6 +15,14 @@ pub(super) fn error_body(status: &Status) -> Vec<u8> {
     serde_json::to_vec(&error).unwrap_or_else(|_| br#"{"code":"internal"}"#.to_vec())
 }
 
+/// The message that ends a streaming call: empty, or with the error.
+pub(crate) fn end_of_stream(status: &Status) -> Vec<u8> {
+    if status.code() == Code::Ok {
+        return b"{}".to_vec();
+    }
+    [&br#"{"error":"#[..], &error_body(status), b"}"].concat()
+}
+
 #[derive(serde::Serialize)]
 struct Error<'a> {
     code: &'static str,

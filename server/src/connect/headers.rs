@@ -1,5 +1,6 @@
 //! What a Connect request says in its headers.
 
+use crate::session::Framing;
 use http::{HeaderMap, header};
 use std::time::Duration;
 use traverse_proto::Refused;
@@ -35,9 +36,24 @@ impl Encoding {
     }
 }
 
-/// Whether the headers other than the content type can be served; and how long the caller waits.
-pub(super) fn timeout(headers: &HeaderMap) -> Result<Option<Duration>, Refused> {
-    if let Some(encoding) = headers.get(header::CONTENT_ENCODING)
+/// The framing of a session that the content type names, if it is one of Connect's streaming form.
+pub(super) fn session_framing(headers: &HeaderMap) -> Option<Framing> {
+    let content_type = headers.get(header::CONTENT_TYPE)?.to_str().ok()?;
+    let kind = content_type.split_once(';').map_or(content_type, |(kind, _)| kind);
+    match kind.trim().to_ascii_lowercase().as_str() {
+        "application/connect+json" => Some(Framing::ConnectJson),
+        "application/connect+proto" => Some(Framing::ConnectProto),
+        _ => None,
+    }
+}
+
+/// Whether the headers other than the content type can be served, with the body's encoding named by `encoding`; and how
+/// long the caller waits.
+pub(super) fn timeout(
+    headers: &HeaderMap,
+    encoding: &header::HeaderName,
+) -> Result<Option<Duration>, Refused> {
+    if let Some(encoding) = headers.get(encoding)
         && encoding.as_bytes() != b"identity"
     {
         return Err(Refused::UnsupportedEncoding {

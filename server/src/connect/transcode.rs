@@ -1,14 +1,15 @@
 //! From a Connect request to a gRPC call and back.
 
 use super::error::{error_body, http_status};
-use super::headers::{Encoding, timeout};
-use crate::buffered::Buffered;
+use super::headers::{Encoding, session_framing, timeout};
+use crate::buffered::{Buffered, Wanted};
 use crate::call::Call;
 use crate::config::Config;
 use crate::deadline::to_grpc_timeout;
 use crate::dispatch::Dispatcher;
 use crate::frame;
 use crate::guard::Guard;
+use crate::session::{Opening, Sessions};
 use bytes::Bytes;
 use futures_util::FutureExt;
 use http::{HeaderMap, HeaderValue, Method, Request, Response, StatusCode, header};
@@ -32,6 +33,7 @@ pub(crate) struct Connect {
     pub(crate) config: Arc<Config>,
     pub(crate) dispatcher: Arc<Dispatcher>,
     pub(crate) buffered: Buffered,
+    pub(crate) sessions: Arc<Sessions>,
 }
 
 impl Connect {
@@ -43,6 +45,9 @@ impl Connect {
         };
         if request.method() != Method::POST {
             return bare(call, StatusCode::METHOD_NOT_ALLOWED, header::ALLOW, "POST");
+        }
+        if procedure.is_session() {
+            return self.session(call, procedure, request);
         }
         let Some(encoding) = Encoding::of(request.headers()) else {
             let known = "application/json, application/proto";
@@ -64,6 +69,28 @@ impl Connect {
         }
     }
 
+    /// Opens a session; what refuses it comes as the end of its stream.
+    fn session(&self, call: &Arc<Call>, procedure: Procedure, request: Request<Body>) -> Response<Body> {
+        let Some(framing) = session_framing(request.headers()) else {
+            let known = "application/connect+json, application/connect+proto";
+            return bare(
+                call,
+                StatusCode::UNSUPPORTED_MEDIA_TYPE,
+                header::HeaderName::from_static("accept-post"),
+                known,
+            );
+        };
+        let encoding = header::HeaderName::from_static("connect-content-encoding");
+        let opened = timeout(request.headers(), &encoding).and_then(|timeout| {
+            let (call, body) = (Arc::clone(call), request.into_body());
+            self.sessions.open(Opening { call, procedure, framing, timeout, encoding: None, body })
+        });
+        opened.unwrap_or_else(|refused| {
+            call.refused(&refused);
+            framing.ended(&refused.to_status())
+        })
+    }
+
     async fn transcode(
         &self,
         call: &Arc<Call>,
@@ -71,11 +98,11 @@ impl Connect {
         encoding: Encoding,
         request: Request<Body>,
     ) -> Result<Bytes, Failure> {
-        let timeout = timeout(request.headers())?;
+        let timeout = timeout(request.headers(), &header::CONTENT_ENCODING)?;
         let patience = timeout.unwrap_or(self.config.longest_time_limit).min(self.config.longest_time_limit);
         let deadline = call.arrival.checked_add(patience);
         let limit = self.config.limits.message_bytes;
-        let read = self.buffered.read(request.into_body(), 0, limit, |_| Ok(()));
+        let read = self.buffered.read(request.into_body(), 0, limit, |_| Ok(Wanted::Rest));
         let late = |_| Refused::TimeLimitReached { lower_bound: None };
         let (body, held) = tokio::time::timeout(patience, read).await.map_err(late)??;
         call.note(|facts| facts.bytes = body.len() as u64);

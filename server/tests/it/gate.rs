@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use traverse_geometry::Scene;
-use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
+use traverse_planner::{Answer, PreparedScene, RapidMove, Refusal, Stats, plan_rapid_move};
 use traverse_server::Engines;
 use traverse_solve::{Budget, Interrupt, Silent};
 
@@ -54,13 +54,9 @@ impl Gate {
     }
 }
 
-impl Engines for Gated {
-    fn plan_rapid_move(
-        &self,
-        scene: &Scene,
-        query: &RapidMove,
-        budget: &Budget,
-    ) -> Result<(Answer, Stats), Vec<Refusal>> {
+impl Gated {
+    /// Waits at the gate.
+    fn pass(&self, budget: &Budget) -> Result<(), Vec<Refusal>> {
         self.begun.send(()).ok();
         while !self.open.load(Ordering::Relaxed) {
             if let Err(interrupt) = budget.check(0) {
@@ -70,6 +66,28 @@ impl Engines for Gated {
             std::thread::park_timeout(Duration::from_millis(1));
         }
         self.ended.send(None).ok();
+        Ok(())
+    }
+}
+
+impl Engines for Gated {
+    fn plan_rapid_move(
+        &self,
+        scene: &Scene,
+        query: &RapidMove,
+        budget: &Budget,
+    ) -> Result<(Answer, Stats), Vec<Refusal>> {
+        self.pass(budget)?;
         plan_rapid_move(scene, query, budget, &mut Silent)
+    }
+
+    fn plan_in_scene(
+        &self,
+        scene: &mut PreparedScene,
+        query: &RapidMove,
+        budget: &Budget,
+    ) -> Result<(Answer, Stats), Vec<Refusal>> {
+        self.pass(budget)?;
+        scene.plan(query, budget, &mut Silent)
     }
 }

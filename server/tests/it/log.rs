@@ -10,6 +10,8 @@ use tonic_types::StatusExt;
 use tracing_subscriber::fmt::MakeWriter;
 use traverse_geometry::Scene;
 use traverse_planner::{Answer, RapidMove, Refusal, Stats, plan_rapid_move};
+use traverse_proto::v1::plan_rapid_moves_request::Step;
+use traverse_proto::v1::{PlanRapidMovesRequest, RapidQuery};
 use traverse_server::{Config, Engines};
 use traverse_solve::{Budget, Silent};
 
@@ -98,4 +100,19 @@ async fn one_line_per_call_and_the_id_of_every_fault() {
     for key in ["queue_ms", "run_ms", "total_ms"] {
         assert!(line[key].is_number(), "{line}");
     }
+
+    // A session has one line, when it is over.
+    let step = |step| PlanRapidMovesRequest { step_id: String::new(), step: Some(step) };
+    let scene = past_a_block().scene.expect("set");
+    let steps = [step(Step::Scene(scene)), step(Step::Query(RapidQuery::default()))];
+    let mut answers = client.plan_rapid_moves(tokio_stream::iter(steps)).await.expect("opened").into_inner();
+    while answers.message().await.expect("it ends well").is_some() {}
+    let lines = log.lines();
+    let sessions: Vec<_> = lines.iter().filter(|line| line["method"] == "PlanRapidMoves").collect();
+    let [line] = sessions[..] else { panic!("{sessions:?}") };
+    for (key, value) in [("protocol", "grpc"), ("outcome", "steps"), ("code", "Ok")] {
+        assert_eq!(line[key], value, "{line}");
+    }
+    assert_eq!((line["steps"].as_u64(), line["refused_steps"].as_u64()), (Some(2), Some(1)));
+    assert_eq!((line["vertices"].as_u64(), line["obstacles"].as_u64()), (Some(4), Some(1)));
 }

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod costs;
+mod distances;
 mod documents;
 mod drain;
 mod gate;
@@ -17,5 +18,6 @@ mod request;
 mod rules;
 mod running;
 mod sections;
+mod session;
 mod tool_change;
 mod web;

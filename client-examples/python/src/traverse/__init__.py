@@ -20,6 +20,7 @@ from .point import Point
 from .retry import Retry
 from .ring import Ring
 from .scene import CornerStyle, Obstacle, Polygon, Scene
+from .session import Session
 
 __all__ = [
     "Algorithm",
@@ -48,6 +49,7 @@ __all__ = [
     "Section",
     "ServerBusy",
     "ServerUnavailable",
+    "Session",
     "Stats",
     "Step",
     "TimeOver",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from datetime import timedelta
 from types import TracebackType
 from typing import Any, TypeVar
@@ -17,8 +17,9 @@ from .layout import Layout, LayoutRules, PlacedSection, Section
 from .path import Path
 from .retry import Retry
 from .scene import Scene
+from .session import Session
 from .status import exception
-from .v1 import rapid_pb2, sections_pb2, service_pb2
+from .v1 import distances_pb2, rapid_pb2, sections_pb2, service_pb2, session_pb2
 
 _Response = TypeVar("_Response", bound=Message)
 
@@ -127,6 +128,35 @@ class Client:
             tolerance_mm=tolerance_mm,
         )
         return wire.check(self._call("CheckRapidMove", request, rapid_pb2.CheckRapidMoveResponse, deadline))
+
+    def plan_distances(
+        self,
+        scene: Scene,
+        sources: Sequence[tuple[float, float]],
+        targets: Sequence[tuple[float, float]] = (),
+        *,
+        effort: Effort = _EFFORT,
+        deadline: float | None = None,
+    ) -> list[list[float]]:
+        """Costs of the shortest moves from each of ``sources`` to each of ``targets``, millimetres: a row for each source,
+        ``math.inf`` where there is no way. No targets: from each source to all of them.
+        """
+        request = wire.distances_message(scene, sources, targets, effort)
+        response = self._call("PlanDistances", request, distances_pb2.PlanDistancesResponse, deadline)
+        costs, columns = list(response.costs), len(targets) or len(sources)
+        return [costs[first : first + columns] for first in range(0, len(costs), columns)]
+
+    def session(self, scene: Scene, *, deadline: float | None = None) -> Session:
+        """Opens a session over a scene that changes: for a program's many moves much faster than single calls.
+
+        deadline: seconds that all of it may take. None: as long as steps come; an idle session ends after minutes.
+        """
+        remote: Any = self._channel.stream_stream(
+            f"/{_SERVICE}/PlanRapidMoves",
+            session_pb2.PlanRapidMovesRequest.SerializeToString,
+            session_pb2.PlanRapidMovesResponse.FromString,
+        )
+        return Session(lambda steps: remote(steps, timeout=deadline), scene)
 
     def order_sections(
         self,

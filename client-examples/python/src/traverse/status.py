@@ -8,6 +8,7 @@ from google.protobuf.message import DecodeError
 from google.rpc import error_details_pb2, status_pb2
 
 from .error import CallFailed, Finding, RequestRefused, ServerBusy, ServerUnavailable, TimeOver
+from .v1 import solve_pb2
 
 _KINDS: dict[grpc.StatusCode, type[CallFailed]] = {
     grpc.StatusCode.INVALID_ARGUMENT: RequestRefused,
@@ -36,6 +37,13 @@ def exception(error: grpc.RpcError) -> CallFailed:
         tuple(findings),
         retry.retry_delay.ToTimedelta() if retry.HasField("retry_delay") else None,
     )
+
+
+def refusal(problem: solve_pb2.Problem) -> CallFailed:
+    """Why an item of a larger call was refused."""
+    code = next((code for code in grpc.StatusCode if code.value[0] == problem.code), grpc.StatusCode.UNKNOWN)
+    findings = (Finding(each.field, each.reason, each.message) for each in problem.findings)
+    return _KINDS.get(code, CallFailed)(code, problem.message, problem.reason, findings=tuple(findings))
 
 
 def _details(call: grpc.Call) -> list[any_pb2.Any]:

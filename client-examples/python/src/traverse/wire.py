@@ -12,8 +12,8 @@ from .layout import Layout, LayoutRules, PlacedSection, Pose, Section
 from .path import Path, Step
 from .point import Point
 from .ring import Ring
-from .scene import CornerStyle, Polygon, Scene
-from .v1 import geometry_pb2, rapid_pb2, sections_pb2, service_pb2, solve_pb2
+from .scene import CornerStyle, Obstacle, Polygon, Scene
+from .v1 import distances_pb2, geometry_pb2, rapid_pb2, sections_pb2, service_pb2, session_pb2, solve_pb2
 
 _CORNER_STYLES = {CornerStyle.ROUND: rapid_pb2.CORNER_STYLE_ROUND, CornerStyle.MITER: rapid_pb2.CORNER_STYLE_MITER}
 _ALGORITHMS = {
@@ -37,11 +37,49 @@ def request_message(
     request = rapid_pb2.PlanRapidMoveRequest(
         scene=scene_message(scene), start=_point(start), target=_point(target), validate_only=validate_only
     )
-    request.rules.algorithm = _ALGORITHMS[effort.algorithm]
-    if effort.time_limit is not None:
-        request.rules.options.time_limit.FromTimedelta(effort.time_limit)
-    request.rules.options.iteration_limit = effort.iteration_limit
+    request.rules.CopyFrom(_rules(effort))
     return request
+
+
+def distances_message(
+    scene: Scene, sources: Iterable[tuple[float, float]], targets: Iterable[tuple[float, float]], effort: Effort
+) -> distances_pb2.PlanDistancesRequest:
+    """A request for shortest costs from points to points."""
+    return distances_pb2.PlanDistancesRequest(
+        scene=scene_message(scene),
+        from_xy_mm=(number for point in sources for number in point),
+        to_xy_mm=(number for point in targets for number in point),
+        rules=_rules(effort),
+    )
+
+
+def scene_step(scene: Scene) -> session_pb2.PlanRapidMovesRequest:
+    """The first step of a session."""
+    return session_pb2.PlanRapidMovesRequest(scene=scene_message(scene))
+
+
+def query_step(
+    start: tuple[float, float], target: tuple[float, float], effort: Effort
+) -> session_pb2.PlanRapidMovesRequest:
+    """A move of a session."""
+    query = session_pb2.RapidQuery(start=_point(start), target=_point(target), rules=_rules(effort))
+    return session_pb2.PlanRapidMovesRequest(query=query)
+
+
+def edit_step(put: Iterable[Obstacle], remove: Iterable[str]) -> session_pb2.PlanRapidMovesRequest:
+    """A change of a session's scene."""
+    edit = session_pb2.EditScene(
+        put_obstacles=(_obstacle(obstacle) for obstacle in put), remove_obstacle_ids=remove
+    )
+    return session_pb2.PlanRapidMovesRequest(edit=edit)
+
+
+def _rules(effort: Effort) -> rapid_pb2.RapidRules:
+    rules = rapid_pb2.RapidRules(algorithm=_ALGORITHMS[effort.algorithm])
+    if effort.time_limit is not None:
+        rules.options.time_limit.FromTimedelta(effort.time_limit)
+    rules.options.iteration_limit = effort.iteration_limit
+    return rules
 
 
 def order_message(
@@ -108,8 +146,14 @@ def scene_message(scene: Scene) -> rapid_pb2.Scene:
     if scene.work_area_polygon is not None:
         message.work_area.CopyFrom(_polygon(scene.work_area_polygon))
     for obstacle in scene.obstacles:
-        message.obstacles.add(id=obstacle.id, shape=_polygon(obstacle.polygon), clearance_mm=obstacle.clearance_mm)
+        message.obstacles.append(_obstacle(obstacle))
     return message
+
+
+def _obstacle(obstacle: Obstacle) -> rapid_pb2.Obstacle:
+    return rapid_pb2.Obstacle(
+        id=obstacle.id, shape=_polygon(obstacle.polygon), clearance_mm=obstacle.clearance_mm
+    )
 
 
 def path_message(path: Path) -> geometry_pb2.Path:
@@ -129,6 +173,16 @@ def outcome(
     scene: Scene, start: tuple[float, float], target: tuple[float, float], message: rapid_pb2.PlanRapidMoveResponse
 ) -> RapidPlan | NoPath:
     """What came of a request for a rapid move."""
+    return step_outcome(scene, Point(*start), Point(*target), message)
+
+
+def step_outcome(
+    scene: Scene,
+    start: Point,
+    target: Point,
+    message: rapid_pb2.PlanRapidMoveResponse | session_pb2.PlanRapidMovesResponse,
+) -> RapidPlan | NoPath:
+    """What came of a move, asked for alone or in a session."""
     stats = Stats(
         message.stats.barrier_vertex_count,
         message.stats.expanded_node_count,
@@ -137,7 +191,7 @@ def outcome(
     )
     kind = message.WhichOneof("outcome")
     if kind == "no_path":
-        return NoPath(scene, Point(*start), Point(*target), tuple(message.no_path.separating_obstacle_ids), stats)
+        return NoPath(scene, start, target, tuple(message.no_path.separating_obstacle_ids), stats)
     if kind != "plan":
         raise NotImplementedError("the server answered with an outcome that this client does not know: update it")
     plan = message.plan

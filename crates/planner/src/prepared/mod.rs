@@ -2,10 +2,13 @@
 //!
 //! The data's way: the scene is taken apart once (`terrain`); what can be seen from a corner or arc is worked out when a
 //! search first gets there (`sight`, `occlusion`) and kept as links (`link`, `sights`); an edit changes the links that it
-//! concerns when they are next used. A query adds its ends (`growth`) and searches along the links (`scene`).
+//! concerns when they are next used (`edit` makes many at once). A query adds its ends (`growth`) and searches along the
+//! links (`scene`); many ends at once are joined to the links by what each sees (`fan`).
 
 mod along_links;
 mod best;
+mod edit;
+mod fan;
 mod growth;
 mod horizon;
 mod label;
@@ -17,6 +20,8 @@ mod sight;
 mod sights;
 mod terrain;
 
+pub use edit::SceneEdit;
+pub(crate) use fan::Fan;
 pub(crate) use link::Link;
 pub(crate) use nearby::Nearby;
 pub use scene::{EditRefusal, PreparedScene};

@@ -2,7 +2,7 @@
 
 use super::along_links::{AlongLinks, Room};
 use super::horizon::Horizon;
-use super::sights::{EditKind, Sights};
+use super::sights::{EditKind, LINKS_KEPT, Sights};
 use super::terrain::Terrain;
 use crate::barriers::{Barriers, Parts, Rings, material_left};
 use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
@@ -18,22 +18,26 @@ use traverse_solve::{Budget, Interrupt, Observer};
 /// The start's horizon is made of what stands within so many cells.
 const HORIZON_CELLS: i64 = 3;
 
-/// A scene whose removed obstacles make up more than this share of all blockers is taken apart anew.
-const WASTE_RATIO: f64 = 0.5;
+/// Vertices of obstacles that are gone may always be kept up to this count; beyond, up to as many as are there.
+const GONE_VERTICES: usize = 4096;
 
 /// A scene that is kept for many rapid moves and may change between them.
 ///
 /// Answers equal those of [`crate::plan_rapid_move`] in a fresh scene. Preparing costs about as much as one plan; what
 /// can be seen from where is worked out as queries come by it and kept: later queries are faster. Memory grows with what
-/// was seen, about 32 bytes for each pair of corners that see each other along a tangent.
+/// was seen, about 32 bytes for each pair of corners that see each other along a tangent; at a million of them (32 MB) all
+/// are forgotten.
 pub struct PreparedScene {
     /// Obstacles that are gone keep their place.
-    scene: Scene,
+    pub(super) scene: Scene,
     /// Place of each obstacle that is there.
-    places: FxHashMap<String, usize>,
-    terrain: Terrain,
-    sights: Sights,
+    pub(super) places: FxHashMap<String, usize>,
+    pub(super) terrain: Terrain,
+    pub(super) sights: Sights,
     room: Room,
+    /// Vertices of what is there, and of what is gone and still kept.
+    vertex_count: usize,
+    gone_vertex_count: usize,
 }
 
 /// Why an edit was refused. The scene is as it was.
@@ -56,19 +60,44 @@ impl PreparedScene {
     /// # Errors
     /// The budget ended.
     pub fn new(scene: Scene, budget: &Budget) -> Result<Self, Interrupt> {
+        Self::keeping(scene, LINKS_KEPT, budget)
+    }
+
+    /// The same, but of what was seen about `links_kept` tangents are kept.
+    pub(crate) fn keeping(scene: Scene, links_kept: usize, budget: &Budget) -> Result<Self, Interrupt> {
         let obstacles = scene.obstacles.iter().map(|obstacle| owned(&obstacle.shape, true)).collect();
         let work_area = scene.work_area.iter().flat_map(|area| owned(area, false)).collect();
         let parts = Parts { obstacles, work_area, ..Parts::default() };
         let terrain = Terrain::new(&scene, parts, budget)?;
         let ids = scene.obstacles.iter().enumerate();
         let places = ids.map(|(place, obstacle)| (obstacle.id.clone(), place)).collect();
-        Ok(Self { scene, places, terrain, sights: Sights::default(), room: Room::default() })
+        let vertex_count = scene.vertex_count();
+        let (sights, room) = (Sights::keeping(links_kept), Room::default());
+        Ok(Self { scene, places, terrain, sights, room, vertex_count, gone_vertex_count: 0 })
     }
 
     /// How many obstacles there are.
     #[must_use]
     pub fn obstacle_count(&self) -> usize {
         self.places.len()
+    }
+
+    /// How many vertices obstacles and work area have.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// How many vertices are kept, those of obstacles that are gone included: memory grows with them.
+    #[must_use]
+    pub fn kept_vertex_count(&self) -> usize {
+        self.vertex_count + self.gone_vertex_count
+    }
+
+    /// The obstacle `id`, if it is there.
+    #[must_use]
+    pub fn obstacle(&self, id: &str) -> Option<&Obstacle> {
+        self.scene.obstacles.get(*self.places.get(id)?)
     }
 
     /// How many tangents between corners are kept.
@@ -87,6 +116,7 @@ impl PreparedScene {
         let place = self.scene.obstacles.len();
         self.terrain.parts.obstacles.push(owned(&obstacle.shape, true));
         self.places.insert(obstacle.id.clone(), place);
+        self.vertex_count += obstacle.shape.vertex_count();
         self.scene.obstacles.push(obstacle);
         let clearance = self.barriers().clearance(place);
         self.terrain.push(clearance);
@@ -109,7 +139,10 @@ impl PreparedScene {
         Ok(())
     }
 
-    fn take_away(&mut self, place: usize) {
+    pub(super) fn take_away(&mut self, place: usize) {
+        let vertices = self.scene.obstacles[place].shape.vertex_count();
+        self.vertex_count -= vertices;
+        self.gone_vertex_count += vertices;
         self.terrain.remove(place);
         self.sights.note(&self.terrain, place, EditKind::Removed);
     }
@@ -150,22 +183,27 @@ impl PreparedScene {
         scene
     }
 
-    /// Takes the scene apart anew when most of what is kept is gone.
-    fn tidy(&mut self, budget: &Budget) {
-        if self.places.len() * 2 >= self.scene.obstacles.len() || self.scene.obstacles.len() < 64 {
-            return;
-        }
-        let [waste, kept] = self.terrain.waste();
-        if (waste as f64) < WASTE_RATIO * (waste + kept) as f64 {
+    /// Brings back an obstacle that was taken away.
+    pub(super) fn bring_back(&mut self, place: usize) {
+        let vertices = self.scene.obstacles[place].shape.vertex_count();
+        self.vertex_count += vertices;
+        self.gone_vertex_count -= vertices;
+        self.terrain.restore(place);
+        self.sights.note(&self.terrain, place, EditKind::Added);
+    }
+
+    /// Takes the scene apart anew when most of what is kept is gone. Cost: about constant per edit.
+    pub(super) fn tidy(&mut self, budget: &Budget) {
+        if self.gone_vertex_count <= self.vertex_count.max(GONE_VERTICES) {
             return;
         }
         // A scene that is not tidied answers the same, only slower.
-        if let Ok(tidy) = Self::new(self.scene_now(), budget) {
+        if let Ok(tidy) = Self::keeping(self.scene_now(), self.sights.links_kept(), budget) {
             *self = tidy;
         }
     }
 
-    fn barriers(&self) -> Barriers<'_> {
+    pub(crate) fn barriers(&self) -> Barriers<'_> {
         Barriers::view(&self.scene, &self.terrain.parts, Some((&self.terrain.there, &self.terrain.nearby)))
     }
 }

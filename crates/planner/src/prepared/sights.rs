@@ -10,13 +10,21 @@ use traverse_solve::{Budget, Interrupt};
 /// Sights that are behind by more edits than this are worked out anew.
 const EDITS_KEPT: usize = 256;
 
+/// Edits that are noted at most; then all that was seen is forgotten.
+const EDITS_NOTED: usize = 1 << 16;
+
+/// Links that are kept at most unless more are asked for: 32 MB.
+pub(super) const LINKS_KEPT: usize = 1_000_000;
+
 /// Sights by feature and side, worked out when first asked for.
-#[derive(Default)]
 pub(super) struct Sights {
     /// Per feature on the left and on the right.
     known: Vec<[Option<Kept>; 2]>,
     edits: Vec<Edit>,
     looked: Looked,
+    link_count: usize,
+    /// Beyond so many links all are forgotten, and worked out again as they are needed.
+    links_kept: usize,
 }
 
 /// A sight, and how many edits it has taken in.
@@ -39,8 +47,28 @@ pub(super) enum EditKind {
 }
 
 impl Sights {
+    /// Nothing seen yet; of what will be, about `links_kept` links are kept.
+    pub(super) fn keeping(links_kept: usize) -> Self {
+        let (known, edits, looked) = (Vec::new(), Vec::new(), Looked::default());
+        Self { known, edits, looked, link_count: 0, links_kept }
+    }
+
+    /// How many links are kept at most, about.
+    pub(super) fn links_kept(&self) -> usize {
+        self.links_kept
+    }
+
+    fn forget(&mut self) {
+        self.known.clear();
+        self.edits.clear();
+        self.link_count = 0;
+    }
+
     /// Takes note that an owner was added or removed.
     pub(super) fn note(&mut self, terrain: &Terrain, owner: usize, kind: EditKind) {
+        if self.edits.len() >= EDITS_NOTED {
+            self.forget();
+        }
         if let Some(bounds) = terrain.owned(owner).bounds {
             self.edits.push(Edit { owner, kind, bounds });
         }
@@ -58,6 +86,9 @@ impl Sights {
         budget: &Budget,
     ) -> Result<(), Interrupt> {
         let at = feature as usize;
+        if self.link_count > self.links_kept {
+            self.forget();
+        }
         if self.known.len() <= at {
             self.known.resize_with(terrain.features.len(), Default::default);
         }
@@ -68,27 +99,27 @@ impl Sights {
             if now == kept.edits {
                 return Ok(());
             }
-            let mut is_up_to_date = true;
-            for edit in &self.edits[kept.edits..] {
-                is_up_to_date =
-                    update(terrain, (feature, side), &mut kept.sight, edit, &mut self.looked, budget)?;
-                if !is_up_to_date {
-                    break;
-                }
-            }
-            if is_up_to_date {
+            let before = kept.sight.links.len();
+            let mut missed = self.edits[kept.edits..].iter();
+            let is_up_to_date = missed.try_fold(true, |is_up_to_date, edit| {
+                let looked = &mut self.looked;
+                Ok(is_up_to_date && update(terrain, (feature, side), &mut kept.sight, edit, looked, budget)?)
+            });
+            self.link_count = self.link_count - before + kept.sight.links.len();
+            if is_up_to_date? {
                 kept.sight.sort();
                 kept.edits = now;
                 return Ok(());
             }
         }
         let sight = sight(terrain, feature, side, &mut self.looked, budget)?;
-        self.known[at][side as usize] = Some(Kept { sight, edits: now });
+        self.link_count += sight.links.len();
+        let replaced = self.known[at][side as usize].replace(Kept { sight, edits: now });
+        self.link_count -= replaced.map_or(0, |kept| kept.sight.links.len());
         Ok(())
     }
 
     /// The links from a feature that was seen from.
-    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(super) fn links(&self, feature: u32, side: Side) -> &[Link] {
         let kept = self.known.get(feature as usize).and_then(|sides| sides[side as usize].as_ref());
         kept.map_or(&[], |kept| &kept.sight.links)
@@ -101,7 +132,7 @@ impl Sights {
 
     /// How many links are kept.
     pub(super) fn link_count(&self) -> usize {
-        self.known.iter().flatten().flatten().map(|kept| kept.sight.links.len()).sum()
+        self.link_count
     }
 }
 

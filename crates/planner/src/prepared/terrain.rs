@@ -169,19 +169,17 @@ impl Terrain {
         }
     }
 
+    /// Brings an owner back that was taken away.
+    pub(super) fn restore(&mut self, owner: usize) {
+        self.there.set(owner, true);
+        if let Some(bounds) = self.owned(owner).bounds {
+            self.forget_within(&bounds);
+        }
+    }
+
     pub(super) fn owned(&self, owner: usize) -> &Owned {
         // The work area's owner is the largest number, which wraps round to the first place.
         &self.owned[owner.wrapping_add(1)]
-    }
-
-    /// How many blockers belong to owners that are gone, and how many to those that are there.
-    pub(super) fn waste(&self) -> [usize; 2] {
-        let mut counts = [0, 0];
-        for (place, owned) in self.owned.iter().enumerate() {
-            let is_there = self.there.has(place.wrapping_sub(1));
-            counts[usize::from(is_there)] += owned.blockers.iter().map(Range::len).sum::<usize>();
-        }
-        counts
     }
 
     /// Whether a feature's owner is there.

@@ -19,6 +19,7 @@ mod sector;
 mod seen;
 mod settled;
 mod shortest;
+mod spread;
 mod stance;
 mod successors;
 mod tangent;
@@ -36,9 +37,8 @@ pub(crate) use known::Known;
 use known::Way;
 pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
-#[allow(unused_imports, reason = "for searches from one end to many")]
 pub(crate) use seen::Moves;
 pub(crate) use shortest::Search;
+pub(crate) use spread::{Goal, Sighted, Spread};
 pub(crate) use tangent::Tangent;
-#[allow(unused_imports, reason = "for searches from one end to many")]
 pub(crate) use tree::Room;

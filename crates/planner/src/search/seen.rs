@@ -7,7 +7,6 @@ use traverse_geometry::Point;
 use traverse_solve::{Budget, Interrupt};
 
 /// Where links and the tests of other moves come from.
-#[allow(dead_code, reason = "for searches from one end to many")]
 pub(crate) trait Moves {
     type Ground: Ground;
 
@@ -24,8 +23,4 @@ pub(crate) trait Moves {
 
     /// Whether nothing blocks a straight move.
     fn is_free(&self, from: Point, to: Point) -> bool;
-
-    /// Adds to `found` features not added before, among them all that a path of cost `cost` may touch; answers the cost
-    /// up to which that holds now.
-    fn offer(&mut self, cost: f64, found: &mut Vec<u32>) -> f64;
 }

@@ -1,11 +1,11 @@
 //! Where a path can go from a stance: along tangents to features and to the target, and over onto what a feature
 //! goes over into.
 
-use super::Ground;
 use super::departure::Departure;
 use super::label::{Label, Place, Step};
 use super::stance::{From, Leg};
 use super::tree::{Tree, lane};
+use super::{End, Ground};
 use crate::barrier::Side;
 use crate::measure::Measure;
 
@@ -44,17 +44,20 @@ impl<M: Measure> Tree<'_, M> {
 
     /// Straight to a place that stands for the target.
     fn push_target(&mut self, ground: &impl Ground, stance: u32, place: u32) {
+        if let Some(label) = self.at_target(stance, self.target, place) {
+            self.push(ground, label, self.target.point);
+        }
+    }
+
+    /// What going straight from a stance to a place that stands for `target` comes to, if the way leads there.
+    pub(super) fn at_target(&self, stance: u32, target: &End, place: u32) -> Option<Label> {
         let from = &self.stances[stance as usize].from;
-        let goal = self.target.point;
-        let Some(leg) = from.leg_to_end(self.target.places[place as usize], goal, self.start.point) else {
-            return;
-        };
+        let leg = from.leg_to_end(target.places[place as usize], target.point, self.start.point)?;
         // A start that stands in the target's place leaves it for nowhere.
-        let Some(left_at) = self.leaves_at(from, &leg) else { return };
+        let left_at = self.leaves_at(from, &leg)?;
         let cost = self.cost_along(from, left_at, &leg);
         let place = Place::Target(place);
-        let label = Label { cost, left_at, offset: 0.0, place, parent: stance, step: Step::Tangent };
-        self.push(ground, label, goal);
+        Some(Label { cost, left_at, offset: 0.0, place, parent: stance, step: Step::Tangent })
     }
 
     /// Along a tangent to another feature.

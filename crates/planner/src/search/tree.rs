@@ -17,6 +17,9 @@ use traverse_geometry::{Point, Vector};
 /// An order of costs for the heap; costs are finite and not negative, so their bits sort as they do.
 type Priority = u64;
 
+/// A tree of more labels than this leaves no memory to be used again: 3 MB.
+const ROOM_LABELS: usize = 1 << 16;
+
 /// The memory of a tree, to be used again.
 #[derive(Default)]
 pub(crate) struct Room {
@@ -32,6 +35,8 @@ pub(crate) struct Tree<'a, M = Length> {
     pub(super) measure: M,
     pub(super) start: &'a End,
     pub(super) target: &'a End,
+    /// What estimates count the straight way to. None: there are many targets, and estimates are the costs so far.
+    aim: Option<Point>,
     labels: Vec<Label>,
     /// Labels that were looked into, in order.
     pub(super) stances: Vec<Stance>,
@@ -45,8 +50,17 @@ pub(crate) struct Tree<'a, M = Length> {
 impl<'a, M: Measure> Tree<'a, M> {
     /// A tree of nothing but the start.
     pub(crate) fn new(measure: M, start: &'a End, target: &'a End, room: Room) -> Self {
+        Self::growing(measure, start, target, Some(target.point), room)
+    }
+
+    /// A tree of nothing but the start that has no target yet and grows in all directions alike.
+    pub(super) fn in_all_directions(measure: M, start: &'a End, room: Room) -> Self {
+        Self::growing(measure, start, start, None, room)
+    }
+
+    fn growing(measure: M, start: &'a End, target: &'a End, aim: Option<Point>, room: Room) -> Self {
         let Room { labels, stances, ahead, open, settled } = room;
-        let mut tree = Self { measure, start, target, labels, stances, ahead, open, settled };
+        let mut tree = Self { measure, start, target, aim, labels, stances, ahead, open, settled };
         for place in 0..start.places.len() as u32 {
             let place = Place::Start(place);
             tree.add(
@@ -58,9 +72,11 @@ impl<'a, M: Measure> Tree<'a, M> {
     }
 
     /// Gives its memory back, empty.
-    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(crate) fn into_room(self) -> Room {
         let Self { mut labels, mut stances, mut ahead, mut open, mut settled, .. } = self;
+        if labels.len() > ROOM_LABELS {
+            return Room::default();
+        }
         for stance in &stances {
             if let From::Feature(departure) = &stance.from {
                 settled.forget(departure.lane.feature);
@@ -98,7 +114,7 @@ impl<'a, M: Measure> Tree<'a, M> {
 
     /// Adds a label whose place on the answered path is `at`.
     pub(super) fn add(&mut self, label: Label, at: Point) {
-        let estimate = label.cost + self.measure.along(self.target.point - at);
+        let estimate = label.cost + self.aim.map_or(0.0, |aim| self.measure.along(aim - at));
         self.open.push((Reverse(estimate.to_bits()), self.labels.len() as u32));
         self.labels.push(label);
     }

@@ -3,6 +3,7 @@
 mod check;
 mod check_sections;
 mod cost;
+mod distances;
 mod effort;
 mod layout;
 mod number;
@@ -13,13 +14,16 @@ mod reader;
 mod rules;
 mod scene;
 mod section;
+mod session;
 mod shape;
 mod tool_change;
 
 pub use check::CheckQuestion;
 pub use check_sections::{CheckSectionsQuestion, order_from_wire};
+pub use distances::DistancesQuestion;
 pub use effort::{requested_time_limit, rules_time_limit};
 pub use order::{OrderQuestion, OrderReturns, requested_order_time_limit};
 pub use path::path_from_wire;
 pub use plan::PlanQuestion;
+pub use session::{StepQuestion, edit_from_wire, scene_from_wire, step_id_of};
 pub use tool_change::ToolChangeQuestion;

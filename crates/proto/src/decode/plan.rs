@@ -46,15 +46,28 @@ impl Reader<'_> {
         parent: &str,
         request: v1::PlanRapidMoveRequest,
     ) -> Option<PlanQuestion> {
-        let start = self.point(&format!("{parent}start"), request.start);
-        let target = self.point(&format!("{parent}target"), request.target);
-        let rules = request.rules.unwrap_or_default();
+        let read = self.rapid_move(parent, request.start, request.target, request.rules);
+        let scene = self.scene(&format!("{parent}scene"), request.scene);
+        let (query, iteration_limit) = read?;
+        Some(PlanQuestion { scene: scene?, query, iteration_limit, validate_only: request.validate_only })
+    }
+
+    /// A move and its iteration limit, standing at `parent` (empty, or ending in a dot).
+    pub(crate) fn rapid_move(
+        &mut self,
+        parent: &str,
+        start: Option<v1::Point>,
+        target: Option<v1::Point>,
+        rules: Option<v1::RapidRules>,
+    ) -> Option<(RapidMove, Option<u64>)> {
+        let start = self.point(&format!("{parent}start"), start);
+        let target = self.point(&format!("{parent}target"), target);
+        let rules = rules.unwrap_or_default();
         let algorithm = self.algorithm(&format!("{parent}rules.algorithm"), rules.algorithm);
         let options = rules.options.unwrap_or_default();
         let rules = self.rules(&format!("{parent}rules"), rules);
         let iteration_limit = self.iteration_limit(&format!("{parent}rules.options"), &options);
-        let scene = self.scene(&format!("{parent}scene"), request.scene);
         let query = RapidMove { start: start?, target: target?, algorithm: algorithm?, rules };
-        Some(PlanQuestion { scene: scene?, query, iteration_limit, validate_only: request.validate_only })
+        Some((query, iteration_limit))
     }
 }

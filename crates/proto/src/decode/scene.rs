@@ -31,7 +31,7 @@ impl Reader<'_> {
         let has_work_area = scene.work_area.is_some();
         let work_area =
             scene.work_area.and_then(|polygon| self.polygon(&format!("{field}.work_area"), Some(polygon)));
-        let obstacles = self.obstacles(field, scene.obstacles);
+        let obstacles = self.obstacles(&format!("{field}.obstacles"), scene.obstacles);
         if has_work_area && work_area.is_none() {
             return None;
         }
@@ -66,7 +66,8 @@ impl Reader<'_> {
         }
     }
 
-    fn obstacles(&mut self, field: &str, obstacles: Vec<v1::Obstacle>) -> Option<Vec<Obstacle>> {
+    /// A list of obstacles with ids that differ.
+    pub(crate) fn obstacles(&mut self, list: &str, obstacles: Vec<v1::Obstacle>) -> Option<Vec<Obstacle>> {
         let mut first_with: HashMap<String, usize> = HashMap::new();
         let mut read = Vec::with_capacity(obstacles.len());
         let mut complete = true;
@@ -74,8 +75,8 @@ impl Reader<'_> {
             if !self.goes_on() {
                 return None;
             }
-            let field = format!("{field}.obstacles[{index}]");
-            self.id(&field, index, &obstacle.id, &mut first_with);
+            let field = format!("{list}[{index}]");
+            self.id(list, index, &obstacle.id, &mut first_with);
             let clearance_mm =
                 obstacle.clearance_mm.and_then(|mm| self.clearance(&format!("{field}.clearance_mm"), mm));
             let top_z_mm = obstacle.top_z_mm.and_then(|mm| self.coordinate(&format!("{field}.top_z_mm"), mm));
@@ -87,8 +88,8 @@ impl Reader<'_> {
         complete.then_some(read)
     }
 
-    fn id(&mut self, field: &str, index: usize, id: &str, first_with: &mut HashMap<String, usize>) {
-        let field = format!("{field}.id");
+    fn id(&mut self, list: &str, index: usize, id: &str, first_with: &mut HashMap<String, usize>) {
+        let field = format!("{list}[{index}].id");
         if id.is_empty() {
             self.missing(&field, "an id of your own; answers name obstacles by it");
         } else if id.len() > ID_BYTES {
@@ -97,7 +98,7 @@ impl Reader<'_> {
             self.out_of_range(&field, id, "another id: answers call the border so");
         } else if let Some(first) = first_with.get(id) {
             let message =
-                format!("obstacles[{first}] has the id {} already; send each id once", shortened(id, 100));
+                format!("{list}[{first}] has the id {} already; send each id once", shortened(id, 100));
             self.report(Finding::new(field, Reason::DuplicateId, id, message));
         } else {
             first_with.insert(id.to_owned(), index);

@@ -21,6 +21,15 @@ pub fn plan_answer(
     v1::PlanRapidMoveResponse { outcome: Some(outcome), stats: Some(rapid_stats(stats, prepare, search)) }
 }
 
+pub(super) fn rapid_stats(stats: Stats, prepare: Duration, search: Duration) -> v1::RapidStats {
+    v1::RapidStats {
+        barrier_vertex_count: count(stats.barrier_vertices),
+        expanded_node_count: count(stats.expanded_nodes),
+        prepare_duration: prepare.try_into().ok(),
+        search_duration: search.try_into().ok(),
+    }
+}
+
 pub(super) fn no_path(no_path: &NoPath) -> v1::NoPath {
     v1::NoPath {
         separating_obstacle_ids: no_path.separating_obstacles.clone(),
@@ -29,15 +38,6 @@ pub(super) fn no_path(no_path: &NoPath) -> v1::NoPath {
             FeasibleClearance::None | FeasibleClearance::Unknown => None,
         },
         feasible_clearance_unknown: no_path.feasible_clearance == FeasibleClearance::Unknown,
-    }
-}
-
-pub(super) fn rapid_stats(stats: Stats, prepare: Duration, search: Duration) -> v1::RapidStats {
-    v1::RapidStats {
-        barrier_vertex_count: count(stats.barrier_vertices),
-        expanded_node_count: count(stats.expanded_nodes),
-        prepare_duration: prepare.try_into().ok(),
-        search_duration: search.try_into().ok(),
     }
 }
 

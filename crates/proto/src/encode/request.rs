@@ -16,7 +16,7 @@ pub fn plan_request(scene: &Scene, query: &RapidMove) -> v1::PlanRapidMoveReques
         Algorithm::SupportingLines => v1::RapidAlgorithm::SupportingLines,
     };
     v1::PlanRapidMoveRequest {
-        scene: Some(self::scene(scene)),
+        scene: Some(scene_message(scene)),
         start: Some(path::point(query.start)),
         target: Some(path::point(query.target)),
         rules: Some(v1::RapidRules { algorithm: algorithm.into(), ..rules(&query.rules) }),
@@ -87,7 +87,9 @@ fn end_rule(rule: EndRule) -> Option<v1::EndRule> {
     Some(v1::EndRule { rule: Some(rule) })
 }
 
-pub(super) fn scene(scene: &Scene) -> v1::Scene {
+/// A scene as its message.
+#[must_use]
+pub fn scene_message(scene: &Scene) -> v1::Scene {
     let (corner_style, miter_limit) = match scene.corner_style {
         CornerStyle::Round => (v1::CornerStyle::Round, None),
         CornerStyle::Miter { limit } => (v1::CornerStyle::Miter, limit),

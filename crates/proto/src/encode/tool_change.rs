@@ -12,7 +12,7 @@ use traverse_planner::{Stats, ToolChange, ToolChangeAnswer, ToolChangePlan};
 #[must_use]
 pub fn tool_change_request(scene: &Scene, change: &ToolChange) -> v1::PlaceToolChangeRequest {
     v1::PlaceToolChangeRequest {
-        scene: Some(request::scene(scene)),
+        scene: Some(request::scene_message(scene)),
         start: Some(point(change.start)),
         target: Some(point(change.target)),
         regions: change.regions.iter().map(request::polygon).collect(),

@@ -1,0 +1,70 @@
+//! Many changes of a prepared scene at once: all of them or none.
+
+use super::{EditRefusal, PreparedScene};
+use traverse_geometry::Obstacle;
+use traverse_solve::Budget;
+
+/// Changes of a scene that belong together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneEdit {
+    /// Valid obstacles to add, or to put in the place of those with the same ids.
+    pub put: Vec<Obstacle>,
+    /// Ids of obstacles to remove after that; each is there.
+    pub remove: Vec<String>,
+}
+
+/// A change that was made, as far as it takes to undo it.
+enum Done {
+    Put { id: String, replaced: Option<usize> },
+    Removed { id: String, place: usize },
+}
+
+impl PreparedScene {
+    /// Makes all changes. Cost: about linear in the vertices that are put; now and then the scene is taken apart anew.
+    ///
+    /// # Errors
+    /// There is no obstacle of an id to remove, or the budget ended; the scene is as it was.
+    pub fn edit(&mut self, edit: SceneEdit, budget: &Budget) -> Result<(), EditRefusal> {
+        let mut done = Vec::with_capacity(edit.put.len() + edit.remove.len());
+        for obstacle in edit.put {
+            let id = obstacle.id.clone();
+            let replaced = self.places.get(&id).copied();
+            if let Err(refusal) = self.put_obstacle(obstacle, budget) {
+                self.undo(done);
+                return Err(refusal);
+            }
+            done.push(Done::Put { id, replaced });
+        }
+        for id in edit.remove {
+            let place = self.places.get(&id).copied();
+            if let Err(refusal) = self.remove_obstacle(&id) {
+                self.undo(done);
+                return Err(refusal);
+            }
+            done.extend(place.map(|place| Done::Removed { id, place }));
+        }
+        self.tidy(budget);
+        Ok(())
+    }
+
+    /// Undoes changes, the last one first.
+    fn undo(&mut self, done: Vec<Done>) {
+        for change in done.into_iter().rev() {
+            match change {
+                Done::Put { id, replaced } => {
+                    if let Some(place) = self.places.remove(&id) {
+                        self.take_away(place);
+                    }
+                    if let Some(place) = replaced {
+                        self.bring_back(place);
+                        self.places.insert(id, place);
+                    }
+                }
+                Done::Removed { id, place } => {
+                    self.bring_back(place);
+                    self.places.insert(id, place);
+                }
+            }
+        }
+    }
+}
