@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::motion_arguments::MotionArguments;
+use crate::order_arguments::Order;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -29,6 +30,8 @@ pub(crate) enum Command {
     ToolChange(Box<ToolChange>),
     /// Says what is in a drawing: layers, loops, nesting, unit, what is wrong and what could not be used.
     Inspect(Inspect),
+    /// Orders the sections of a cutting layout so that they join tightest.
+    Order(Box<Order>),
     /// Orders a TSPLIB matrix (.atsp, .sop, .tsp with listed weights) and prints one JSON line.
     Solve(Solve),
     /// Checks a plan against its request, by code that shares nothing with the planner.
@@ -237,11 +240,13 @@ pub(crate) enum Method {
 
 #[derive(Args, Debug)]
 pub(crate) struct Check {
-    /// PlanRapidMoveRequest as JSON (`traverse rapid --request`), - for standard input.
+    /// PlanRapidMoveRequest (`traverse rapid --request`) or OrderSectionsRequest (`traverse order --request`) as JSON, - for
+    /// standard input.
     pub(crate) request: PathBuf,
-    /// PlanRapidMoveResponse as JSON (`traverse rapid -o plan.json`), - for standard input.
+    /// PlanRapidMoveResponse (`traverse rapid -o plan.json`) or OrderSectionsResponse (`traverse order -o layout.json`) as
+    /// JSON, - for standard input.
     pub(crate) plan: PathBuf,
-    /// How far inside a barrier still counts as touching it, millimetres.
+    /// How far inside a barrier, or nearer than the gap, still counts as touching, millimetres.
     #[arg(long, value_name = "MM")]
     pub(crate) tolerance: Option<f64>,
     /// Ask this server instead of checking in process.
@@ -251,7 +256,7 @@ pub(crate) struct Check {
 
 #[derive(Args, Debug)]
 pub(crate) struct Call {
-    /// Such as PlanRapidMove, CheckRapidMove, GetLimits.
+    /// Such as PlanRapidMove, OrderSections, GetLimits.
     pub(crate) method: String,
     /// The request as proto3 JSON, - for standard input.
     pub(crate) request: PathBuf,
@@ -315,7 +320,7 @@ impl From<SolveMethod> for traverse_tours::Method {
 }
 
 /// A time in seconds.
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let wrong = || format!("{text} is no time; write seconds, such as 2.5 or 60s");
     let seconds: f64 = text.strip_suffix('s').unwrap_or(text).parse().map_err(|_| wrong())?;
     Duration::try_from_secs_f64(seconds).map_err(|_| wrong())

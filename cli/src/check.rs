@@ -1,4 +1,4 @@
-//! `traverse check`.
+//! `traverse check`: a rapid move or a layout of sections; the request says which.
 
 use crate::arguments::Check;
 use crate::failure::Failure;
@@ -6,13 +6,57 @@ use crate::{input, planning};
 use traverse_proto::v1;
 
 pub(crate) async fn run(arguments: Check) -> Result<(), Failure> {
-    let wrong = |path: &std::path::Path| {
-        let path = path.display().to_string();
-        move |why: String| Failure::Input(format!("{path}: {why}"))
+    let bytes = input::read(&arguments.request)?;
+    match planning::request::<v1::PlanRapidMoveRequest>("PlanRapidMove", &bytes) {
+        Ok(request) => rapid(&arguments, request).await,
+        Err(why) => match planning::request::<v1::OrderSectionsRequest>("OrderSections", &bytes) {
+            Ok(request) => sections(&arguments, request).await,
+            // What speaks of sections was meant as such.
+            Err(of_sections) => {
+                let is_layout = String::from_utf8_lossy(&bytes).contains("\"sections\"");
+                Err(wrong(&arguments.request)(if is_layout { of_sections } else { why }))
+            }
+        },
+    }
+}
+
+fn wrong(path: &std::path::Path) -> impl Fn(String) -> Failure + use<> {
+    let path = path.display().to_string();
+    move |why| Failure::Input(format!("{path}: {why}"))
+}
+
+async fn sections(arguments: &Check, request: v1::OrderSectionsRequest) -> Result<(), Failure> {
+    let answer: v1::OrderSectionsResponse =
+        planning::answer("OrderSections", &input::read(&arguments.plan)?).map_err(wrong(&arguments.plan))?;
+    if answer.order.is_empty() {
+        return Err(Failure::Input(format!("{} holds no layout to check", arguments.plan.display())));
+    }
+    let question = v1::CheckSectionsRequest {
+        request: Some(request),
+        order: answer.order,
+        tolerance_mm: arguments.tolerance,
     };
-    let request: v1::PlanRapidMoveRequest =
-        planning::request("PlanRapidMove", &input::read(&arguments.request)?)
-            .map_err(wrong(&arguments.request))?;
+    let caller = planning::caller(arguments.server.as_deref())?;
+    let found = planning::check_sections(&caller, &question).await?;
+    say!("length, recomputed  {:.6} mm (the layout says {:.6})", found.length_mm, answer.length_mm);
+    verdict(found.smallest_margin_mm, &found.violations)
+}
+
+fn verdict(smallest_margin_mm: Option<f64>, violations: &[v1::Violation]) -> Result<(), Failure> {
+    if let Some(margin) = smallest_margin_mm {
+        say!("smallest margin     {margin:.9} mm");
+    }
+    for violation in violations {
+        say!("{} {}: {}", violation.reason, violation.field, violation.message);
+    }
+    if violations.is_empty() {
+        say!("sound");
+        return Ok(());
+    }
+    Err(Failure::Violations(format!("{} violations", violations.len())))
+}
+
+async fn rapid(arguments: &Check, request: v1::PlanRapidMoveRequest) -> Result<(), Failure> {
     let response: v1::PlanRapidMoveResponse =
         planning::answer("PlanRapidMove", &input::read(&arguments.plan)?).map_err(wrong(&arguments.plan))?;
     let Some(v1::plan_rapid_move_response::Outcome::Plan(plan)) = response.outcome else {
@@ -26,15 +70,5 @@ pub(crate) async fn run(arguments: Check) -> Result<(), Failure> {
     let found = planning::check(&planning::caller(arguments.server.as_deref())?, &question).await?;
     let unit = if found.cost_unit() == v1::CostUnit::Seconds { "s" } else { "mm" };
     say!("cost, recomputed    {:.6} {unit} (the plan says {:.6})", found.cost, plan.cost);
-    if let Some(margin) = found.smallest_margin_mm {
-        say!("smallest margin     {margin:.9} mm");
-    }
-    for violation in &found.violations {
-        say!("{} {}: {}", violation.reason, violation.field, violation.message);
-    }
-    if found.violations.is_empty() {
-        say!("sound");
-        return Ok(());
-    }
-    Err(Failure::Violations(format!("{} violations", found.violations.len())))
+    verdict(found.smallest_margin_mm, &found.violations)
 }

@@ -49,17 +49,19 @@ impl Clock {
 
     /// Seconds of a way; none where it has arcs and their feed is not known.
     pub(crate) fn seconds(&self, path: &Path) -> Option<f64> {
-        let (straight, feed): (&dyn Fn(&Path) -> f64, Feed) = match self {
+        let (cost, feed) = match self {
             Self::Limits(limits) => return Some(travel_cost(path, &TravelCost::Kinematics(*limits))),
-            Self::Axes(axes, feed) => (&|step| travel_cost(step, &TravelCost::AxisSpeeds(*axes)), *feed),
-            Self::Steady { mm_per_min, feed } => (&|step| 60.0 * step.length() / mm_per_min, *feed),
+            Self::Axes(axes, feed) => (TravelCost::AxisSpeeds(*axes), *feed),
+            Self::Steady { feed, .. } => (TravelCost::Length, *feed),
         };
+        let seconds_per_unit =
+            if let Self::Steady { mm_per_min, .. } = self { 60.0 / mm_per_min } else { 1.0 };
         let seconds = path.edges().map(|edge| match edge {
             Edge::Arc(arc) => feed.map(|mm_per_min| 60.0 * arc.length() / mm_per_min),
             Edge::Segment(segment) => {
                 let mut step = Path::at(segment.start);
                 step.line_to(segment.end);
-                Some(straight(&step))
+                Some(seconds_per_unit * travel_cost(&step, &cost))
             }
         });
         seconds.sum()

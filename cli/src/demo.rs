@@ -2,6 +2,7 @@
 //! every plan, a table, pictures.
 
 use crate::arguments::Demo;
+use crate::demo_sections;
 use crate::failure::Failure;
 use crate::input;
 use crate::rapid::{duration, picture};
@@ -116,7 +117,7 @@ pub(crate) async fn run(arguments: Demo) -> Result<(), Failure> {
     let address = listener.local_addr().map_err(|error| Failure::Internal(error.to_string()))?;
     let (stop, stopped) = tokio::sync::oneshot::channel::<()>();
     let serving = tokio::spawn(server.serve(listener, async move { stopped.await.unwrap_or_default() }));
-    say!("A server listens on http://{address}; every move below goes to it over gRPC and back.\n");
+    say!("A server listens on http://{address}; every question below goes to it over gRPC and back.\n");
     let mut client = PlannerServiceClient::connect(format!("http://{address}"))
         .await
         .map_err(|error| Failure::Unreachable(format!("{address}: {error}")))?;
@@ -129,7 +130,9 @@ pub(crate) async fn run(arguments: Demo) -> Result<(), Failure> {
         "\nLengths in mm. Proven: no collision-free path is shorter. Checked: by code that shares nothing with the"
     );
     say!("planner. Search: in the engine; call: until the answer was here.");
-    say!("Pictures: {}/*.svg", arguments.out.display());
+    say!("\nSections of a cutting layout, ordered so that they join tightest:\n");
+    demo_sections::run(&mut client, &arguments.out).await?;
+    say!("\nPictures: {}/*.svg", arguments.out.display());
     drop(client);
     stop.send(()).ok();
     serving
@@ -170,7 +173,7 @@ async fn show(
     };
     let title = format!("{}: {}", wanted.drawing, wanted.name.replace('-', " "));
     let file = arguments.out.join(format!("{}.svg", wanted.name));
-    input::write(&file, picture(&scene, &request, &answer, &title)?)?;
+    input::write(&file, picture(&scene, &request, &RapidRules::default(), &answer, &title)?)?;
     Ok(row(wanted, &scene, &answer, checked, call))
 }
 

@@ -69,6 +69,13 @@ fn found_in(
              pass --ignore-unused"
         )));
     }
+    let is_empty = found.scene.obstacles.is_empty() && found.scene.work_area.is_none();
+    if is_empty && !arguments.ignore_unused {
+        return Err(Failure::Input(format!(
+            "{path}: there is neither an obstacle nor a work area in it, so every path would do; look at it with \
+             `traverse inspect {path}`, choose with --obstacles and --work-area, or pass --ignore-unused"
+        )));
+    }
     Ok(found)
 }
 

@@ -13,16 +13,22 @@ mod call;
 mod check;
 mod clock;
 mod demo;
+mod demo_sections;
 mod drawing_scene;
 mod failure;
 mod input;
 mod inspect;
+mod live_line;
 mod motion_arguments;
+mod order;
+mod order_arguments;
+mod order_table;
 mod picture_file;
 mod planning;
 mod program;
 mod program_table;
 mod rapid;
+mod section_files;
 mod serve;
 mod solve;
 mod tool_change;
@@ -44,6 +50,7 @@ fn main() -> ExitCode {
             Command::Rapid(rapid) => rapid::run(*rapid).await,
             Command::ToolChange(change) => tool_change::run(*change).await,
             Command::Inspect(inspect) => inspect::run(&inspect),
+            Command::Order(order) => order::run(*order).await,
             Command::Solve(solve) => solve::run(&solve),
             Command::Check(check) => check::run(check).await,
             Command::Call(call) => call::run(call).await,

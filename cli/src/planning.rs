@@ -35,6 +35,22 @@ pub(crate) async fn check(
     call(caller, "CheckRapidMove", request).await.map(|(answer, _)| answer)
 }
 
+/// OrderSections; answers the message and its JSON text.
+pub(crate) async fn order(
+    caller: &Caller,
+    request: &v1::OrderSectionsRequest,
+) -> Result<(v1::OrderSectionsResponse, String), Failure> {
+    call(caller, "OrderSections", request).await
+}
+
+/// CheckSections.
+pub(crate) async fn check_sections(
+    caller: &Caller,
+    request: &v1::CheckSectionsRequest,
+) -> Result<v1::CheckSectionsResponse, Failure> {
+    call(caller, "CheckSections", request).await.map(|(answer, _)| answer)
+}
+
 /// Any call; answers the message and its JSON text.
 pub(crate) async fn call<A: Message + Default>(
     caller: &Caller,

@@ -9,8 +9,9 @@ use crate::rapid::{Output, kind_of};
 use crate::{drawing_scene, input};
 use std::path::Path as FilePath;
 use std::time::Instant;
-use traverse_drawing::{ArcMotion, GcodePlane, GcodeUnit, Machine, Shown, picture_of_plan};
+use traverse_drawing::{ArcMotion, GcodePlane, GcodeUnit, Machine, Shown, StraightMotion, picture_of_plan};
 use traverse_geometry::{Path, RapidMotion, RapidRules};
+use traverse_planner::as_run;
 use traverse_programs::{
     Done, Link, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
 };
@@ -45,7 +46,7 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     for output in &arguments.output {
         match kind_of(output)? {
             Output::Picture(kind) => {
-                let svg = picture(&scenes, &program, &rewritten, &name);
+                let svg = picture(&scenes, &program, &rewritten, &rules, write_options.straight, &name);
                 write_picture(output, kind, &svg, arguments.width)?;
             }
             _ => input::write(output, &rewritten.text)?,
@@ -127,16 +128,24 @@ fn options(arguments: &Rapid, machine: Option<&Machine>) -> Result<(ReadOptions,
     Ok((read, write))
 }
 
-/// Every way that is known and does not pass over everything, as it was and as it is.
-fn picture(scenes: &ToolScenes, program: &Program<'_>, rewritten: &Rewritten, title: &str) -> String {
+/// Every way that is known and does not pass over everything, as it was and as it is, dog-legs as they are run.
+fn picture(
+    scenes: &ToolScenes,
+    program: &Program<'_>,
+    rewritten: &Rewritten,
+    rules: &RapidRules,
+    straight: StraightMotion,
+    title: &str,
+) -> String {
     let passes_over = |link: &Link| {
         link.heights.lowest().zip(scenes.safe_z_mm).is_some_and(|(lowest, safe)| lowest >= safe)
     };
     let shown = program.links.iter().zip(&rewritten.outcomes).filter(|(link, _)| !passes_over(link));
     let (before, after): (Vec<Path>, Vec<Path>) = shown
         .map(|(link, outcome)| {
-            let before = link.path();
+            let before = as_run(&link.path(), rules);
             match &outcome.done {
+                Done::Changed(path) if straight == StraightMotion::Rapid => (before, as_run(path, rules)),
                 Done::Changed(path) => (before, path.clone()),
                 _ => (before.clone(), before),
             }

@@ -6,9 +6,9 @@ use crate::picture_file::{PictureKind, write_picture};
 use crate::{drawing_scene, input, planning, program};
 use std::path::Path as FilePath;
 use std::time::Duration;
-use traverse_drawing::{Machine, Shown, picture_of_plan, write_dxf, write_gcode};
+use traverse_drawing::{ArcMotion, GcodeSettings, Machine, Shown, picture_of_plan, write_dxf, write_gcode};
 use traverse_geometry::{HeightRule, Path, RapidRules, Scene};
-use traverse_planner::{Algorithm, RapidMove};
+use traverse_planner::{Algorithm, RapidMove, as_run};
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_proto::{path_from_wire, plan_request, v1};
 
@@ -23,6 +23,12 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         return Err(Failure::Internal("the command line has no ends".to_owned()));
     };
     let machine = drawing_scene::machine(&arguments.file)?;
+    // Before anything is planned or written.
+    for output in &arguments.output {
+        if matches!(kind_of(output)?, Output::Program) {
+            gcode_settings(machine.as_ref(), output)?;
+        }
+    }
     let scene = drawing_scene::scene(&arguments, machine.as_ref())?.scene;
     let algorithm = match arguments.algorithm {
         Method::Exact => Algorithm::Exact,
@@ -46,7 +52,7 @@ pub(crate) async fn run(arguments: Rapid) -> Result<(), Failure> {
         match kind_of(output)? {
             Output::Json => input::write(output, &text)?,
             Output::Picture(kind) => {
-                let svg = picture(&scene, &request, &answer, &title)?;
+                let svg = picture(&scene, &request, &query.rules, &answer, &title)?;
                 write_picture(output, kind, &svg, arguments.width)?;
             }
             Output::Drawing | Output::Program => {
@@ -103,19 +109,27 @@ fn written(
         return write_dxf(&path.in_plane(), Some(scene))
             .map_err(|error| Failure::Input(format!("{name}: {error}")));
     }
-    let Some(settings) = machine.and_then(|machine| machine.gcode.as_ref()) else {
-        return Err(Failure::Input(format!(
-            "{name}: G-code differs by machine; pass --machines FILE and --machine NAME of a profile with [gcode]"
-        )));
-    };
+    let settings = gcode_settings(machine, output)?;
     let program = write_gcode(path, settings).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
-    if program.moves.straightened_arc_count > 0 {
+    // Where all arcs are chords, none is for being small.
+    let is_fed = matches!(settings.arcs, ArcMotion::Fed { .. });
+    if is_fed && program.moves.straightened_arc_count > 0 {
         eprintln!(
             "{name}: {} arcs are too small for the decimals and run as chords outside them",
             program.moves.straightened_arc_count
         );
     }
     Ok(program.text)
+}
+
+/// How the machine wants its G-code.
+fn gcode_settings<'m>(machine: Option<&'m Machine>, output: &FilePath) -> Result<&'m GcodeSettings, Failure> {
+    machine.and_then(|machine| machine.gcode.as_ref()).ok_or_else(|| {
+        Failure::Input(format!(
+            "{}: G-code differs by machine; pass --machines FILE and --machine NAME of a profile with [gcode]",
+            output.display()
+        ))
+    })
 }
 
 /// The answer's path, if it has one.
@@ -143,10 +157,11 @@ pub(crate) fn kind_of(path: &FilePath) -> Result<Output, Failure> {
     }
 }
 
-/// The answer as a picture.
+/// The answer as a picture, dog-legs as they are run.
 pub(crate) fn picture(
     scene: &Scene,
     request: &v1::PlanRapidMoveRequest,
+    rules: &RapidRules,
     answer: &v1::PlanRapidMoveResponse,
     title: &str,
 ) -> Result<String, Failure> {
@@ -163,6 +178,8 @@ pub(crate) fn picture(
                 let others = plan.alternatives.iter().cloned().map(path_from_wire);
                 others.collect::<Result<_, _>>().map_err(|refused| Failure::Internal(refused.message()))?
             };
+            let path = as_run(&path, rules);
+            let others: Vec<Path> = others.iter().map(|other| as_run(other, rules)).collect();
             let shown = match others.is_empty() {
                 true => Shown::Path(&path),
                 false => Shown::Choice { path: &path, others: &others },

@@ -186,7 +186,81 @@ fn the_demo_plans_checks_and_draws() {
     assert_eq!(rows.len(), 8, "{table}");
     assert!(rows.iter().all(|row| row.contains(" yes ") && !row.contains("REFUSED")), "{table}");
     assert_eq!(rows.iter().filter(|row| row.contains("no path")).count(), 1, "{table}");
-    assert_eq!(std::fs::read_dir(out).unwrap().count(), rows.len());
+    let sections: Vec<&str> = table.lines().filter(|line| line.ends_with(" ms")).collect();
+    assert_eq!(sections.len(), 3, "{table}");
+    assert!(sections.iter().all(|row| row.contains(" sound ")), "{table}");
+    assert_eq!(std::fs::read_dir(out).unwrap().count(), rows.len() + sections.len());
+}
+
+/// `traverse order` on the bundled sections, with these arguments more.
+fn order(more: &[&str]) -> Output {
+    let sections = drawing("shoe-sections.svg");
+    traverse(&[&["order", &sections, "--time", "5s"][..], more].concat())
+}
+
+#[test]
+fn sections_are_ordered_written_and_checked_here_and_on_a_server() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (svg, png, dxf, json) = (at("layout.svg"), at("layout.png"), at("layout.dxf"), at("layout.json"));
+    let request = at("request.json");
+    let files = ["-o", &svg, "-o", &png, "-o", &dxf, "-o", &json, "--request", &request, "--width", "800"];
+    let rules = ["--gap", "3", "--first", "heels", "--before", "welts,soles", "--forbid", "soles,uppers"];
+    let output = order(&[&files[..], &rules].concat());
+    assert_ends(&output, 0, "lower bound");
+    let table = text(&output.stdout);
+    assert!(table.contains("by boxes") && table.contains("    1  heels"), "{table}");
+    assert!(std::fs::read_to_string(&svg).unwrap().contains("saved"));
+    assert_eq!(&std::fs::read(&png).unwrap()[1..4], b"PNG");
+    assert!(std::fs::read_to_string(&dxf).unwrap().contains("TRAVERSE_PARTS"));
+    assert_ends(&traverse(&["check", &request, &json]), 0, "sound");
+
+    let mut layout: serde_json::Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let x = &mut layout["order"][4]["xMm"];
+    *x = (x.as_f64().unwrap() - 20.0).into();
+    let moved = at("moved.json");
+    std::fs::write(&moved, layout.to_string()).unwrap();
+    assert_ends(&traverse(&["check", &request, &moved]), 5, "violations");
+
+    let serving = Serving::start();
+    let there = order(&["--algorithm", "given-order", "--server", &serving.url]);
+    let here = order(&["--algorithm", "given-order"]);
+    assert_ends(&there, 0, "given order");
+    let without_times = |output: &Output| {
+        let said = text(&output.stdout);
+        said.lines().filter(|line| !line.starts_with("method")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(without_times(&there), without_times(&here));
+}
+
+#[test]
+fn what_is_wrong_with_sections_is_said() {
+    assert_ends(&order(&["--first", "nobody"]), 3, "choose one of");
+    assert_ends(&order(&["--gap", "-1"]), 3, "gap_mm");
+    assert_ends(&order(&["--strip-height", "100"]), 3, "strip");
+    assert_ends(&order(&["--before", "soles,heels", "--before", "heels,soles"]), 3, "precedences");
+    assert_ends(&order(&["--before", "soles"]), 2, "write ID,ID");
+    assert_ends(&order(&["-o", "layout.nc"]), 3, "a layout is written to");
+    assert_ends(&order(&["--sections", "layer", "--ignore", "*"]), 3, "--sections");
+    let folder = tempfile::tempdir().unwrap();
+    let set = folder.path().join("set.json");
+    let item = r#"{"demand": 4, "shape": {"data": [[0, 0], [30, 0], [10, 40]]}}"#;
+    std::fs::write(&set, format!(r#"{{"strip_height": 90, "items": [{item}]}}"#)).unwrap();
+    let set = set.display().to_string();
+    assert_ends(&traverse(&["order", &set, "--poses", "as-is,mirror-x", "--columns", "1"]), 0, "block-2");
+    std::fs::write(&set, r#"{"strip_height": 90, "items": []}"#).unwrap();
+    assert_ends(&traverse(&["order", &set]), 3, "there are none");
+    let apart: Vec<String> = ["soles,heels", "heels,soles"].map(str::to_owned).to_vec();
+    let two = folder.path().join("two.svg");
+    std::fs::write(
+        &two,
+        "<svg xmlns='http://www.w3.org/2000/svg' width='50mm' height='50mm' viewBox='0 0 50 50'>\
+         <g id='soles'><rect width='10' height='10'/></g><g id='heels'><rect x='20' width='10' height='20'/></g></svg>",
+    )
+    .unwrap();
+    let two = two.display().to_string();
+    let none = ["order", &two, "--forbid", &apart[0], "--forbid", &apart[1]];
+    assert_ends(&traverse(&none), 4, "leave no order");
 }
 
 #[test]

@@ -21,6 +21,10 @@ const KEEP_ALIVE: (Duration, Duration) = (Duration::from_secs(30), Duration::fro
 /// HTTP/2: calls at once on one connection. The queue bounds them all.
 const STREAMS: u32 = 256;
 
+/// Largest head of a request, bytes: over HTTP/1.1 all of it, over HTTP/2 its header list. Bodies are bounded elsewhere:
+/// over HTTP/1.1 this is also how much of one is read at once.
+const HEADER_BYTES: u32 = 16 << 10;
+
 /// After a failed accept (out of file descriptors, mostly) others may end in the meantime.
 const ACCEPT_PAUSE: Duration = Duration::from_millis(100);
 
@@ -96,13 +100,18 @@ async fn serve_connection(stream: TcpStream, service: HttpService, leave: Cancel
         },
     }
     let mut builder = auto::Builder::new(TokioExecutor::new());
-    builder.http1().timer(TokioTimer::new()).header_read_timeout(FIRST_WORD);
+    builder
+        .http1()
+        .timer(TokioTimer::new())
+        .header_read_timeout(FIRST_WORD)
+        .max_buf_size(HEADER_BYTES as usize);
     builder
         .http2()
         .timer(TokioTimer::new())
         .keep_alive_interval(KEEP_ALIVE.0)
         .keep_alive_timeout(KEEP_ALIVE.1)
-        .max_concurrent_streams(STREAMS);
+        .max_concurrent_streams(STREAMS)
+        .max_header_list_size(HEADER_BYTES);
     let mut connection =
         pin!(builder.serve_connection(TokioIo::new(stream), TowerToHyperService::new(service)));
     let ended = tokio::select! {

@@ -31,6 +31,8 @@ pub enum CallError {
     Refused {
         /// Connect's name of the code, such as `invalid_argument`.
         code: String,
+        /// Of Traverse, as in docs/errors.md, such as `QUEUE_FULL`; empty when something else answered.
+        reason: String,
         /// For people.
         message: String,
         /// The whole error as JSON: code, message, details.
@@ -132,7 +134,15 @@ where
     let error: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let part = |name: &str| error.get(name).and_then(|value| value.as_str()).map(str::to_owned);
     let code = part("code").ok_or_else(|| broken(format!("it answers {status}: no Traverse server")))?;
-    Err(CallError::Refused { code, message: part("message").unwrap_or_default(), body: text })
+    let message = part("message").unwrap_or_default();
+    Err(CallError::Refused { code, reason: reason(&error), message, body: text })
+}
+
+/// What its ErrorInfo says; empty without one.
+fn reason(error: &serde_json::Value) -> String {
+    let details = error["details"].as_array().into_iter().flatten();
+    let info = details.filter(|detail| detail["type"] == "google.rpc.ErrorInfo");
+    info.filter_map(|info| info["debug"]["reason"].as_str()).next().unwrap_or_default().to_owned()
 }
 
 fn unreachable(server: &Uri, why: &(dyn std::error::Error + Send + Sync)) -> CallError {

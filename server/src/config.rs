@@ -73,6 +73,8 @@ impl Config {
         at_least("limits.vertex_count", limits.vertex_count, 3);
         at_least("limits.obstacle_count", limits.obstacle_count, 1);
         at_least("limits.step_count", limits.step_count, 1);
+        at_least("limits.section_count", limits.section_count, 1);
+        at_least("limits.part_count", limits.part_count, 1);
         at_least("buffered_bytes", self.buffered_bytes, limits.message_bytes);
         if u32::try_from(limits.message_bytes).is_err() {
             findings.push(format!(

@@ -1,13 +1,14 @@
 //! What the services call to get answers: the engines, behind a trait so that tests can put one in that waits, counts or
 //! panics.
 
-use traverse_checker::{PathCheck, check_rapid_move_by_while};
-use traverse_geometry::Scene;
+use traverse_checker::{PathCheck, SectionsCheck, check_rapid_move_by_while, check_sections_while};
+use traverse_geometry::{Finding, Scene};
+use traverse_layout_sequencing::{JoinMatrix, LayoutAnswer, joins, order_sections};
 use traverse_planner::{
     Answer, RapidMove, Refusal, Stats, ToolChange, ToolChangeAnswer, plan_rapid_move, plan_tool_change,
 };
-use traverse_proto::CheckQuestion;
-use traverse_solve::{Budget, Silent};
+use traverse_proto::{CheckQuestion, CheckSectionsQuestion, OrderQuestion};
+use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
 /// The engines. Each call runs on a worker of the pool, checks `budget` often and returns soon after it ends.
 pub trait Engines: Send + Sync + 'static {
@@ -42,6 +43,33 @@ pub trait Engines: Send + Sync + 'static {
         let CheckQuestion { scene, rules, start, target, path, tolerance_mm } = question;
         let go_on = || budget.check(0).is_ok();
         check_rapid_move_by_while(scene, rules, *start, *target, path, *tolerance_mm, &go_on)
+    }
+
+    /// Orders the sections of a layout.
+    ///
+    /// # Errors
+    /// As [`order_sections`].
+    fn order_sections(
+        &self,
+        question: &OrderQuestion,
+        budget: &Budget,
+        observer: &mut dyn Observer,
+    ) -> Result<LayoutAnswer, Vec<Finding>> {
+        order_sections(&question.layout, &question.options, budget, observer)
+    }
+
+    /// The effects of all ordered pairs of sections.
+    ///
+    /// # Errors
+    /// As [`joins`].
+    fn section_joins(&self, question: &OrderQuestion, budget: &Budget) -> Result<JoinMatrix, Interrupt> {
+        joins(&question.layout, question.options.effect_model, question.options.threads, budget)
+    }
+
+    /// Checks a layout of sections. None: the budget ended first.
+    fn check_sections(&self, question: &CheckSectionsQuestion, budget: &Budget) -> Option<SectionsCheck> {
+        let go_on = || budget.check(0).is_ok();
+        check_sections_while(&question.layout, &question.order, question.tolerance_mm, &go_on)
     }
 }
 

@@ -13,13 +13,20 @@ pub(crate) fn limits_answer(config: &Config) -> GetLimitsResponse {
         message_bytes: wide(limits.message_bytes),
         coordinate_mm: COORDINATE_LIMIT_MM,
         vertex_count: wide(limits.vertex_count),
-        obstacle_count: i32::try_from(limits.obstacle_count).unwrap_or(i32::MAX),
+        obstacle_count: narrow(limits.obstacle_count),
+        section_count: narrow(limits.section_count),
+        part_count: narrow(limits.part_count),
+        join_count: wide(limits.join_count),
         default_time_limit: duration(config.default_time_limit),
         longest_time_limit: duration(config.longest_time_limit),
-        queued_call_count: i32::try_from(config.queued_call_count).unwrap_or(i32::MAX),
+        queued_call_count: narrow(config.queued_call_count),
         radius_mm: RADIUS_LIMIT_MM,
         step_count: wide(limits.step_count),
     }
+}
+
+fn narrow(count: usize) -> i32 {
+    i32::try_from(count).unwrap_or(i32::MAX)
 }
 
 fn wide(count: usize) -> i64 {

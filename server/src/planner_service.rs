@@ -6,6 +6,7 @@ use crate::deadline::{Asked, TimeLimits};
 use crate::dispatch::Dispatcher;
 use crate::engines::Engines;
 use crate::limits_answer::limits_answer;
+use crate::sections_service;
 use crate::tool_change;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -14,12 +15,13 @@ use traverse_geometry::Scene;
 use traverse_planner::Answer;
 use traverse_proto::v1::planner_service_server::PlannerService;
 use traverse_proto::v1::{
-    CheckRapidMoveRequest, CheckRapidMoveResponse, GetLimitsRequest, GetLimitsResponse,
-    PlaceToolChangeRequest, PlaceToolChangeResponse, PlanRapidMoveRequest, PlanRapidMoveResponse,
+    CheckRapidMoveRequest, CheckRapidMoveResponse, CheckSectionsRequest, CheckSectionsResponse,
+    GetLimitsRequest, GetLimitsResponse, OrderSectionsRequest, OrderSectionsResponse, PlaceToolChangeRequest,
+    PlaceToolChangeResponse, PlanRapidMoveRequest, PlanRapidMoveResponse,
 };
 use traverse_proto::{
-    CheckQuestion, PlanQuestion, Refused, check_answer, plan_answer, requested_time_limit, rules_time_limit,
-    sound_answer,
+    CheckQuestion, CountedLimit, PlanQuestion, Refused, check_answer, plan_answer,
+    requested_order_time_limit, requested_time_limit, rules_time_limit, sound_answer,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -72,6 +74,39 @@ impl PlannerService for Planner {
         let (config, engines) = (Arc::clone(&self.config), Arc::clone(&self.engines));
         let (facts, request) = (Arc::clone(&call), request.into_inner());
         let work = move |budget: &Budget| check(&config, &*engines, &facts, request, budget);
+        self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
+    }
+
+    async fn order_sections(
+        &self,
+        request: Request<OrderSectionsRequest>,
+    ) -> Result<Response<OrderSectionsResponse>, Status> {
+        let call = call_of(&request);
+        let asked = requested_order_time_limit(request.get_ref());
+        let deadline = self.deadline(&call, &request, asked);
+        let unasked = self.deadline(&call, &request, Some(self.config.longest_time_limit));
+        let limit = match deadline.zip(unasked) {
+            Some((deadline, unasked)) if asked.is_some() && deadline < unasked => CountedLimit::Requested,
+            _ => CountedLimit::Deadline,
+        };
+        let (config, engines) = (Arc::clone(&self.config), Arc::clone(&self.engines));
+        let (facts, request) = (Arc::clone(&call), request.into_inner());
+        let work = move |budget: &Budget| {
+            sections_service::order(&config, &*engines, &facts, limit, request, budget)
+        };
+        self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
+    }
+
+    async fn check_sections(
+        &self,
+        request: Request<CheckSectionsRequest>,
+    ) -> Result<Response<CheckSectionsResponse>, Status> {
+        let call = call_of(&request);
+        let deadline = self.deadline(&call, &request, None);
+        let (config, engines) = (Arc::clone(&self.config), Arc::clone(&self.engines));
+        let (facts, request) = (Arc::clone(&call), request.into_inner());
+        let work =
+            move |budget: &Budget| sections_service::check(&config, &*engines, &facts, request, budget);
         self.answer(&call, self.dispatcher.run(&call, deadline, work).await)
     }
 

@@ -9,6 +9,8 @@ import argparse
 import sys
 from pathlib import Path as File
 
+from ezdxf.lldxf.const import DXFError
+
 from traverse import CallFailed, Client, NoPath, Point
 from traverse.dxf import read_scene
 
@@ -17,10 +19,12 @@ def main() -> int:
     """Exit codes: 0 done, 1 the call failed, 3 the drawing can't be used, 4 there is no path (proven)."""
     arguments = _arguments()
     try:
-        found = read_scene(arguments.drawing, clearance_mm=arguments.clearance)
-    except (OSError, ValueError) as error:  # ezdxf's DXFStructureError included
+        found = read_scene(arguments.drawing, clearance_mm=arguments.clearance, unit=arguments.unit)
+    except (OSError, ValueError, DXFError) as error:
         print(error, file=sys.stderr)
         return 3
+    if found.unit_assumed:
+        print(f"unit: {arguments.unit} (assumed: the file names none; --unit says another)", file=sys.stderr)
     for line in (*found.unused, *found.annotations):
         print(f"not used: {line}", file=sys.stderr)
     if found.unused and not arguments.ignore_unused:
@@ -49,11 +53,23 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--from", dest="start", type=_point, required=True, metavar="X,Y", help="millimetres")
     parser.add_argument("--to", dest="target", type=_point, required=True, metavar="X,Y", help="millimetres")
     parser.add_argument("--clearance", type=float, required=True, metavar="MM", help="tool radius plus margin")
+    parser.add_argument("--unit", choices=("mm", "inch"), default="mm", help="of a file that names none")
     parser.add_argument("--output", type=File, metavar="FILE.svg", help="where the picture goes")
     parser.add_argument("--server", default="localhost:50051", metavar="HOST:PORT")
     parser.add_argument("--deadline", type=float, default=30.0, metavar="SECONDS")
     parser.add_argument("--ignore-unused", action="store_true", help="plan although parts of the drawing are not used")
-    return parser.parse_args()
+    return parser.parse_args(_ends_joined(sys.argv[1:]))
+
+
+def _ends_joined(words: list[str]) -> list[str]:
+    """--from=-50,-50 for --from -50,-50: argparse takes what begins with a minus for an option."""
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1] in ("--from", "--to"):
+            joined[-1] += f"={word}"
+        else:
+            joined.append(word)
+    return joined
 
 
 def _point(text: str) -> Point:

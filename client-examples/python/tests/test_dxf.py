@@ -167,6 +167,85 @@ def test_nesting_makes_holes_and_islands(tmp_path: File) -> None:
     assert lengths == pytest.approx([80 * math.pi, 40 * math.pi])
 
 
+def entities(*groups: tuple[int, object]) -> str:
+    """A file of entities alone, without header; each group is code and value."""
+    lines = [f"{code}\n{value}" for code, value in groups]
+    return "\n".join(["0\nSECTION\n2\nENTITIES", *lines, "0\nENDSEC\n0\nEOF\n"])
+
+
+CIRCLE = ((0, "CIRCLE"), (8, "0"), (10, 1.0), (20, 2.0), (40, 5.0))
+
+
+def test_without_header_the_unit_is_assumed(tmp_path: File) -> None:
+    file = tmp_path / "bare.dxf"
+    # A text that speaks of the unit does not name it.
+    file.write_text(entities(*CIRCLE, (0, "TEXT"), (8, "0"), (10, 0.0), (20, 0.0), (40, 1.0), (1, "$INSUNITS")))
+    found = read_scene(file, clearance_mm=1)
+    assert found.unit_assumed and found.millimetres == 1
+    assert outer(found).length_mm == pytest.approx(10 * math.pi)
+    inches = read_scene(file, clearance_mm=1, unit="inch")
+    assert inches.unit_assumed and outer(inches).length_mm == pytest.approx(254 * math.pi)
+
+
+def test_a_stated_unit_counts_in_text_and_binary(tmp_path: File) -> None:
+    document = new(unit=6)
+    document.modelspace().add_circle((0, 0), 1)
+    for kind in ("asc", "bin"):
+        document.saveas(tmp_path / "metres.dxf", fmt=kind)
+        found = read_scene(tmp_path / "metres.dxf", clearance_mm=1, unit="inch")
+        assert not found.unit_assumed and found.millimetres == 1000, kind
+    document.units = 0
+    document.saveas(tmp_path / "none.dxf")
+    found = read_scene(tmp_path / "none.dxf", clearance_mm=1, unit="inch")
+    assert found.unit_assumed and found.millimetres == 25.4
+
+
+def test_a_band_is_not_its_centre_line(tmp_path: File) -> None:
+    square = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    document = new()
+    space = document.modelspace()
+    space.add_lwpolyline(square, close=True, dxfattribs={"const_width": 10, "layer": "CONSTANT"})
+    space.add_lwpolyline([(x, y, 0, 2) for x, y in square], format="xyse", close=True, dxfattribs={"layer": "{}"})
+    space.add_polyline2d(square, close=True, dxfattribs={"default_end_width": 1, "layer": "OLD"})
+    space.add_lwpolyline(square, close=True, dxfattribs={"const_width": 0, "layer": "THIN"})
+    found = read(document, tmp_path)
+    assert [line.split(" with a width")[0] for line in found.unused] == [
+        "layer CONSTANT: LWPOLYLINE, 1",
+        "layer OLD: POLYLINE, 1",
+        "layer {}: LWPOLYLINE, 1",
+    ]
+
+
+def test_what_climbs_is_told(tmp_path: File) -> None:
+    document = new()
+    document.modelspace().add_line((0, 0, 0), (10, 0, 5))
+    document.modelspace().add_line((0, 0, 7), (10, 0, 7))
+    found = read(document, tmp_path)
+    assert found.annotations == ("layer 0: LINE, 1 at varying height: taken as seen from above",)
+
+
+def test_types_without_extrusion_and_missing_blocks_are_counted(tmp_path: File) -> None:
+    file = tmp_path / "odd.dxf"
+    leader = (
+        (0, "LEADER"),
+        (100, "AcDbEntity"),
+        (8, "0"),
+        (100, "AcDbLeader"),
+        (76, 2),
+        (10, 0.0),
+        (20, 0.0),
+        (10, 5.0),
+        (20, 5.0),
+    )
+    insert = ((0, "INSERT"), (8, "0"), (2, "NOWHERE"), (10, 0.0), (20, 0.0))
+    array = (*insert, (70, 2), (44, 5.0))
+    file.write_text(entities(*CIRCLE, *leader, *insert, *array))
+    found = read_scene(file, clearance_mm=1)
+    assert len(found.scene.obstacles) == 1
+    assert found.annotations == ("layer 0: LEADER, 1 not read",)
+    assert found.unused == ("layer 0: INSERT, 2 not read",)
+
+
 def test_two_work_areas_are_refused(tmp_path: File) -> None:
     document = new()
     for x in (0, 100):
@@ -189,3 +268,10 @@ def test_the_script_plans_and_draws(address: str, tmp_path: File) -> None:
     assert run("300,80").returncode == 4
     inside = run("1e9,0")
     assert inside.returncode == 1 and "COORDINATE_TOO_LARGE" in inside.stderr
+    near = run("570,150", "--from", "-50,-50")
+    assert near.returncode == 1 and "START" in near.stderr.upper(), near.stderr
+    broken = tmp_path / "broken.dxf"
+    broken.write_text("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n")
+    command = [sys.executable, str(SCRIPT), str(broken), "--from", "0,0", "--to", "1,1", "--clearance", "1"]
+    refused = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert refused.returncode == 3 and "Traceback" not in refused.stderr, refused.stderr

@@ -4,12 +4,14 @@ import socket
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from datetime import timedelta
 
 import grpc
 import pytest
 from conftest import Server
+from google.rpc import error_details_pb2, status_pb2
 
-from traverse import CallFailed, Client, RapidPlan, Retry, Scene, ServerUnavailable, TimeOver
+from traverse import CallFailed, Client, RapidPlan, Retry, Scene, ServerBusy, ServerUnavailable, TimeOver
 
 EMPTY = Scene(clearance_mm=1)
 PATIENT = Retry(tries=1000, longest_pause=0.2)
@@ -75,6 +77,23 @@ def test_only_unavailable_is_tried_again(code: grpc.StatusCode) -> None:
     assert calls.count == (3 if code is grpc.StatusCode.UNAVAILABLE else 1)
 
 
+def test_what_comes_with_a_delay_is_tried_again_after_it() -> None:
+    calls = Calls(grpc.StatusCode.RESOURCE_EXHAUSTED, delay=timedelta(milliseconds=20))
+    with Client(calls.address, deadline=30, retry=Retry(tries=3, first_pause=0.001)) as client:
+        began = time.monotonic()
+        with pytest.raises(ServerBusy) as failed:
+            client.limits()
+        assert time.monotonic() - began >= 0.04  # two pauses
+        assert failed.value.retry_after == timedelta(milliseconds=20)
+        assert calls.count == 3
+    calls.stop()
+    patient = Calls(grpc.StatusCode.RESOURCE_EXHAUSTED, delay=timedelta(hours=1))
+    with Client(patient.address, deadline=30) as client, pytest.raises(ServerBusy):
+        client.limits()  # at once: the delay is longer than the deadline
+    assert patient.count == 1
+    patient.stop()
+
+
 def test_pauses_double_with_jitter_up_to_the_longest() -> None:
     retry = Retry(first_pause=0.1, longest_pause=0.3)
     for tried, most in ((1, 0.1), (2, 0.2), (3, 0.3), (9, 0.3)):
@@ -87,8 +106,13 @@ def test_pauses_double_with_jitter_up_to_the_longest() -> None:
 class Calls(grpc.GenericRpcHandler):  # type: ignore[misc, unused-ignore]
     """A server that answers every call with one status and counts them."""
 
-    def __init__(self, code: grpc.StatusCode) -> None:
+    def __init__(self, code: grpc.StatusCode, delay: timedelta | None = None) -> None:
         self.count = 0
+        self._details = status_pb2.Status()
+        if delay is not None:
+            info = error_details_pb2.RetryInfo()
+            info.retry_delay.FromTimedelta(delay)
+            self._details.details.add().Pack(info)
         self._code = code
         self._lock = threading.Lock()
         self._server = grpc.server(ThreadPoolExecutor(1), handlers=[self])
@@ -101,6 +125,7 @@ class Calls(grpc.GenericRpcHandler):  # type: ignore[misc, unused-ignore]
     def _answer(self, request: bytes, context: grpc.ServicerContext) -> bytes:
         with self._lock:
             self.count += 1
+        context.set_trailing_metadata((("grpc-status-details-bin", self._details.SerializeToString()),))
         context.abort(self._code, "as the test wants it")
 
     def stop(self) -> None:

@@ -41,20 +41,28 @@ mod kinematics;
 mod leg;
 mod message;
 mod mitre;
+mod order_rules;
+mod part_overlaps;
 mod path_shape;
 mod place_check;
+mod posed_section;
 mod rapid_check;
 mod rules_check;
 mod seam;
 mod section;
+mod section_pair;
+mod sections_check;
 mod strip;
 mod touching;
 mod violation;
+mod witness;
 
+pub use part_overlaps::{OVERLAP_LIMIT, PartOverlap, part_overlaps_while};
 pub use place_check::{PlaceCheck, PlacedChange, check_tool_change};
 pub use rapid_check::{
     PathCheck, RapidMoveChecker, SMALLEST_TOLERANCE_MM, VIOLATION_LIMIT, check_rapid_move,
     check_rapid_move_while,
 };
 pub use rules_check::{check_rapid_move_by, check_rapid_move_by_while};
+pub use sections_check::{SectionsCheck, check_sections, check_sections_while};
 pub use violation::{Violation, ViolationReason};

@@ -1,12 +1,12 @@
-//! What a path does against its scene: field, reason, place, amount.
+//! What a plan does against its request: field, reason, place, amount.
 
 use std::fmt;
 use traverse_geometry::Point;
 
-/// One thing that a path does against its request.
+/// One thing that a path or a layout does against its request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Violation {
-    /// Into the answer: `path.start`, `path.steps[7]`, `path.steps[7].end`, `path.steps[7].arc.center`.
+    /// Into the answer: `path.start`, `path.steps[7]`, `path.steps[7].end`, `path.steps[7].arc.center`, `order[3]`.
     pub field: String,
     /// Why, for programs.
     pub reason: ViolationReason,
@@ -16,7 +16,7 @@ pub struct Violation {
     pub amount: f64,
     /// Where it is worst, if it has a place.
     pub at: Option<Point>,
-    /// Id of the obstacle concerned, or [`traverse_geometry::WORK_AREA_ID`].
+    /// Id of the obstacle concerned, or [`traverse_geometry::WORK_AREA_ID`]; of the other section in a layout.
     pub obstacle: Option<String>,
 }
 
@@ -28,7 +28,7 @@ impl fmt::Display for Violation {
 
 macro_rules! reasons {
     ($($(#[$doc:meta])* $name:ident = $text:literal,)*) => {
-        /// Why a path is not sound. Closed: each has a section in docs/errors.md.
+        /// Why a path or a layout is not sound. Closed: each has a section in docs/errors.md.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum ViolationReason { $($(#[$doc])* $name,)* }
 
@@ -77,6 +77,34 @@ reasons! {
     SlantedStep = "SLANTED_STEP",
     /// The way out of or into a barrier does not run in the direction asked for. Amount: how far off its end lies.
     WrongDirection = "WRONG_DIRECTION",
+    /// A placed section is none of the layout. Amount: 0.
+    UnknownSection = "UNKNOWN_SECTION",
+    /// A copy of a section is placed that the layout does not have. Amount: 0.
+    UnknownCopy = "UNKNOWN_COPY",
+    /// A copy of a section is placed twice. Amount: 0.
+    CopyRepeated = "COPY_REPEATED",
+    /// A copy of a section is not placed. Amount: 0.
+    CopyMissing = "COPY_MISSING",
+    /// A section is turned in a way that is not allowed. Amount: 0.
+    PoseNotAllowed = "POSE_NOT_ALLOWED",
+    /// Another section comes first than the one asked for. Amount: 0.
+    WrongFirst = "WRONG_FIRST",
+    /// Another section comes last than the one asked for. Amount: 0.
+    WrongLast = "WRONG_LAST",
+    /// A section comes before one that must come earlier. Amount: 0.
+    PrecedenceBroken = "PRECEDENCE_BROKEN",
+    /// Two sections are neighbours in an order that is forbidden. Amount: 0.
+    ForbiddenJoin = "FORBIDDEN_JOIN",
+    /// A section begins left of the strip's start. Amount: how far.
+    LeftOfStart = "LEFT_OF_START",
+    /// A section begins left of the one before it although the order is to be kept. Amount: how far.
+    PassesPrevious = "PASSES_PREVIOUS",
+    /// A section is higher than the strip. Amount: how much higher.
+    HigherThanStrip = "HIGHER_THAN_STRIP",
+    /// Parts of two sections come nearer than the gap. Amount: how much too near.
+    SectionsTooClose = "SECTIONS_TOO_CLOSE",
+    /// Parts of two sections lie in one another. Amount: how deep, plus the gap.
+    SectionsOverlap = "SECTIONS_OVERLAP",
     /// The tool is changed where no region and no point permits it. Amount: how far from the nearest; 0 where nothing
     /// is permitted.
     PlaceNotPermitted = "PLACE_NOT_PERMITTED",

@@ -6,6 +6,8 @@
 mod dxf_text;
 #[path = "make_drawings/leather_hide.rs"]
 mod leather_hide;
+#[path = "make_drawings/shoe_sections.rs"]
+mod shoe_sections;
 #[path = "make_drawings/turned_shaft.rs"]
 mod turned_shaft;
 #[path = "make_drawings/vise_and_clamps.rs"]
@@ -18,6 +20,7 @@ fn main() -> std::io::Result<()> {
         ("vise-and-clamps.dxf", vise_and_clamps::text()),
         ("turned-shaft.dxf", turned_shaft::text()),
         ("leather-hide.dxf", leather_hide::text()),
+        ("shoe-sections.svg", shoe_sections::text()),
     ] {
         std::fs::write(folder.join(name), text)?;
         println!("drawings/{name}");

@@ -27,6 +27,17 @@ pub struct Layer {
 }
 
 impl Drawing {
+    /// The same unit and page without layers and without what could not be used.
+    pub(crate) fn clone_without_curves(&self) -> Self {
+        Self {
+            unit: self.unit,
+            unit_assumed: self.unit_assumed,
+            layers: Vec::new(),
+            unused: Vec::new(),
+            mapping: self.mapping,
+        }
+    }
+
     /// Count of curves on all layers.
     #[must_use]
     pub fn curve_count(&self) -> usize {

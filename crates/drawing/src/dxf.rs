@@ -19,6 +19,7 @@ mod file;
 mod fit_points;
 mod groups;
 mod hatch;
+mod heights;
 mod insert;
 mod layers;
 mod nurbs;

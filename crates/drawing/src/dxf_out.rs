@@ -5,7 +5,10 @@
 
 mod frame;
 mod groups;
+mod layout;
 mod polyline;
+
+pub use layout::{PARTS_LAYER, SECTION_IDS_LAYER, SECTIONS_LAYER, STRIP_LAYER, write_layout_dxf};
 
 use frame::{FileLayer, begin_file, end_file};
 use groups::Groups;
@@ -26,7 +29,7 @@ pub const WORK_AREA_LAYER: &str = "TRAVERSE_WORK_AREA";
 #[non_exhaustive]
 pub enum DxfWriteError {
     /// A coordinate, centre or angle is no finite number.
-    #[error("step {step} of the path holds {value}; give finite numbers")]
+    #[error("step {step} of the path, or section {step} of the layout, holds {value}; give finite numbers")]
     NotFinite {
         /// Counted from 1; 0 for the start.
         step: usize,

@@ -11,7 +11,7 @@ pub enum ReadError {
         message: String,
     },
     /// Longer than [`crate::ReadOptions::byte_limit`].
-    #[error("the drawing is longer than {limit} bytes; raise the limit or split the drawing")]
+    #[error("the drawing is longer than {limit} bytes; split it, or take out what is not needed")]
     TooLong {
         /// The limit, bytes.
         limit: u64,
@@ -53,9 +53,13 @@ pub enum ReadError {
     },
     /// A coordinate, radius, angle or bulge that is no finite number or is out of range.
     #[error(
-        "{entity} on layer {layer}: {field} is {value}, outside ±{limit}; repair the drawing or its units"
+        "{}{entity} on layer {layer}: {field} is {}, outside ±{limit}; repair the drawing or its units",
+        at_line(*.line),
+        shown(*.value)
     )]
     NumberOutOfRange {
+        /// Line where the entity begins, counted from 1; 0 in a binary file.
+        line: usize,
         /// Entity type, such as `LINE`.
         entity: &'static str,
         /// Its layer.
@@ -68,13 +72,15 @@ pub enum ReadError {
         limit: f64,
     },
     /// More vertices than [`crate::ReadOptions::vertex_limit`].
-    #[error("the drawing has more than {limit} vertices; raise the limit or split the drawing")]
+    #[error(
+        "the drawing has more than {limit} vertices; split it, take out what is not needed, or fit curves less closely"
+    )]
     TooManyVertices {
         /// The limit.
         limit: usize,
     },
     /// More entities than [`crate::ReadOptions::entity_limit`].
-    #[error("the drawing has more than {limit} entities; raise the limit or split the drawing")]
+    #[error("the drawing has more than {limit} entities; split it, or take out what is not needed")]
     TooManyEntities {
         /// The limit.
         limit: usize,
@@ -130,4 +136,21 @@ pub enum ReadError {
         /// The limit, bytes.
         limit: u64,
     },
+}
+
+/// Numbers from here on are written with their power of ten.
+const LARGEST_WRITTEN_OUT: f64 = 1e15;
+
+/// A number of any size in a few letters.
+fn shown(value: f64) -> String {
+    if value.is_finite() && value.abs() >= LARGEST_WRITTEN_OUT {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
+}
+
+/// Where text has lines; binary files have none.
+fn at_line(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
 }

@@ -33,21 +33,26 @@ impl Forest {
                 if larger(a, b) { std::cmp::Ordering::Greater } else { std::cmp::Ordering::Less }
             });
         });
-        let mut children = vec![Vec::new(); loops.len()];
-        let mut depths = vec![0; loops.len()];
-        let mut by_size: Vec<usize> = (0..loops.len()).collect();
-        by_size.sort_by(
-            |&a, &b| if larger(a, b) { std::cmp::Ordering::Less } else { std::cmp::Ordering::Greater },
-        );
+        Self::of_parents(parents)
+    }
+
+    /// The forest in which these are the parents.
+    pub(crate) fn of_parents(parents: Vec<Option<usize>>) -> Self {
+        let mut children = vec![Vec::new(); parents.len()];
         for (each, parent) in parents.iter().enumerate() {
             if let Some(parent) = *parent {
                 children[parent].push(each);
             }
         }
-        for each in by_size {
-            depths[each] = parents[each].map_or(0, |parent| depths[parent] + 1);
+        let mut forest = Self { depths: vec![0; parents.len()], parents, children };
+        let mut waiting: Vec<usize> = forest.roots().collect();
+        while let Some(each) = waiting.pop() {
+            for &child in &forest.children[each] {
+                forest.depths[child] = forest.depths[each] + 1;
+                waiting.push(child);
+            }
         }
-        Self { parents, children, depths }
+        forest
     }
 
     /// For each loop the places that it and all inside it take, loops numbered from the outside in: one lies around

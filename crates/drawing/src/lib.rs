@@ -54,6 +54,7 @@ mod role_loops;
 mod roles;
 mod scene_from_drawing;
 mod scene_report;
+mod sections;
 mod selector;
 mod sniff;
 mod source;
@@ -66,7 +67,10 @@ pub use color::Color;
 pub use curve::Curve;
 pub use drawing::{Drawing, Layer};
 pub use dxf::{read_dxf, read_dxf_from};
-pub use dxf_out::{DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, WORK_AREA_LAYER, write_dxf};
+pub use dxf_out::{
+    DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PARTS_LAYER, PATH_LAYER, SECTION_IDS_LAYER, SECTIONS_LAYER,
+    STRIP_LAYER, WORK_AREA_LAYER, write_dxf, write_layout_dxf,
+};
 pub use error::ReadError;
 pub use finding::{DrawingFinding, Fault};
 pub use forest::Forest;
@@ -80,7 +84,9 @@ pub use joining::{JOIN_TOLERANCE_MM, Joined, Loop, join_loops};
 pub use options::ReadOptions;
 pub use page_mapping::PageMapping;
 pub use part::{Part, Section};
-pub use picture::{MARKED_FINDINGS, Shown, picture_of_drawing, picture_of_plan};
+pub use picture::{
+    MARKED_FINDINGS, Shown, ShownLayout, picture_of_drawing, picture_of_layout, picture_of_plan,
+};
 pub use png::{
     LARGEST_PNG_PIXELS, LARGEST_PNG_WIDTH_PX, LARGEST_SVG_BYTES, PngError, SMALLEST_PNG_WIDTH_PX, png_of_svg,
 };
@@ -91,8 +97,12 @@ pub use read_drawing::{read_drawing, read_drawing_from};
 pub use roles::{ObstacleRole, Role, Roles, WORK_AREA_LAYERS};
 pub use scene_from_drawing::{SceneOptions, scene_from_drawing};
 pub use scene_report::{LayerUse, SceneError, SceneFromDrawing, SceneReport};
+pub use sections::{
+    BlockRules, PartSet, PartSetError, Piece, SectionOptions, SectionsBy, SectionsError, SectionsFromDrawing,
+    build_blocks, read_part_set, sections_from_drawing,
+};
 pub use selector::Selector;
-pub use source::Source;
+pub use source::{DrawnGroup, Source};
 pub use svg::{read_svg, read_svg_from};
 pub use unit::LengthUnit;
 pub use unused::{Unused, WhyUnused};

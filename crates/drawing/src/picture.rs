@@ -16,6 +16,7 @@ mod ids;
 mod label;
 mod layer_style;
 mod layers;
+mod layout_picture;
 mod legend;
 mod lettering;
 mod markers;
@@ -32,6 +33,7 @@ mod text;
 mod text_line;
 
 pub use drawing_picture::picture_of_drawing;
+pub use layout_picture::{ShownLayout, picture_of_layout};
 pub use markers::MARKED_FINDINGS;
 pub use shown::Shown;
 

@@ -14,7 +14,9 @@ pub fn read_drawing(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, Read
     match looks_like(bytes) {
         Looks::Dxf | Looks::DamagedBinaryDxf => read_dxf(bytes, options),
         Looks::Svg | Looks::Xml => read_svg(bytes, options),
-        _ if is_utf16(bytes) => read_svg(bytes, options),
+        Looks::Other(_) if is_utf16(bytes) => {
+            Err(ReadError::NotDrawing { found: "some other text in UTF-16" })
+        }
         _ if bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii().is_empty() => {
             Err(ReadError::Empty)
         }

@@ -1,6 +1,6 @@
 //! The loops of a drawing by layer and role.
 
-use crate::crossing_loops::crossing_loops;
+use crate::crossing_loops::{beside_what_they_cross, crossing_loops};
 use crate::roles::Chosen;
 use crate::{Curve, Drawing, DrawingFinding, Forest, Layer, Loop, Role, Roles, join_loops};
 use std::borrow::Cow;
@@ -42,6 +42,10 @@ pub(crate) fn loops_by_role<'a>(
                 group.forest = Forest::of(&joined.loops);
                 (group.loops, group.findings) = (joined.loops, joined.findings);
                 group.repeated_curves = joined.repeated_curves;
+                // Of a work area the larger one is the border whatever crosses it.
+                if group.chosen.role != Role::WorkArea {
+                    group.forest = beside_what_they_cross(&group);
+                }
                 let crossing = crossing_loops(&group);
                 group.findings.extend(crossing);
             }

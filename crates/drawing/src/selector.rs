@@ -114,6 +114,7 @@ mod tests {
             id: Some("stop-3".to_owned()),
             groups: vec!["Fixture".to_owned(), "left".to_owned()],
             color: Some(Color { red: 255, green: 0, blue: 0 }),
+            ..Source::default()
         };
         for (text, chosen) in [
             ("CLAMPS", true),

@@ -1,5 +1,7 @@
 //! What a file looks like by its first bytes, for messages and for the choice of a reader.
 
+use crate::svg::is_utf16;
+
 /// So many bytes at the start are looked at.
 const SNIFFED_BYTES: usize = 1024;
 
@@ -44,6 +46,14 @@ impl Looks {
 
 /// What a file looks like.
 pub(crate) fn looks_like(bytes: &[u8]) -> Looks {
+    let letters: Vec<u8>;
+    let bytes = if is_utf16(bytes) {
+        // Of Latin letters every second byte is zero.
+        letters = bytes[2..].iter().copied().filter(|&b| b != 0).take(SNIFFED_BYTES).collect();
+        &letters
+    } else {
+        bytes
+    };
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
     let start = text[..text.len().min(SNIFFED_BYTES)].to_ascii_lowercase();
     let place =

@@ -45,8 +45,13 @@ pub enum WhyUnused {
     Filling,
     /// It inserts a block that the file does not hold, or that lies in another file.
     UnknownBlock,
-    /// Its own numbers contradict one another, such as a spline's knots and control points.
+    /// Its own numbers contradict one another, such as a spline's knots and control points, or are none that it can
+    /// have: a negative radius.
     Inconsistent,
+    /// It is a band: drawn with a width, of which only the centre line was read.
+    Width,
+    /// It climbs; here it was read as seen from above.
+    Height,
 }
 
 impl fmt::Display for WhyUnused {
@@ -66,6 +71,8 @@ impl fmt::Display for WhyUnused {
             Self::Filling => "a filling whose border is drawn too",
             Self::UnknownBlock => "its block is not in the file",
             Self::Inconsistent => "its numbers contradict one another",
+            Self::Width => "its width is not read, only its centre line",
+            Self::Height => "in 3D: its height varies, read as seen from above",
         })
     }
 }
@@ -92,6 +99,7 @@ impl Unused {
             WhyUnused::Picture => Some("draw over what matters of it, and take it out"),
             WhyUnused::UnknownBlock => Some("bind what it refers to into the file, or explode it"),
             WhyUnused::Inconsistent => Some("draw it again"),
+            WhyUnused::Width => Some("draw the outline of the band, and set the width to 0"),
             WhyUnused::Reference => Some("draw what is meant here"),
             WhyUnused::PaperSpace
             | WhyUnused::NoLength
@@ -99,7 +107,8 @@ impl Unused {
             | WhyUnused::Filling
             | WhyUnused::Hidden
             | WhyUnused::Clipped
-            | WhyUnused::Selector => None,
+            | WhyUnused::Selector
+            | WhyUnused::Height => None,
         }
     }
 }
@@ -115,14 +124,16 @@ impl WhyUnused {
             | Self::Picture
             | Self::UnknownBlock
             | Self::Inconsistent
-            | Self::Reference => true,
+            | Self::Reference
+            | Self::Width => true,
             Self::PaperSpace
             | Self::NoLength
             | Self::Annotation
             | Self::Filling
             | Self::Hidden
             | Self::Clipped
-            | Self::Selector => false,
+            | Self::Selector
+            | Self::Height => false,
         }
     }
 }

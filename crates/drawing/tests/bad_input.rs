@@ -68,11 +68,13 @@ fn numbers_out_of_range_are_refused_with_layer_and_value() {
         [("nan", f64::NAN), ("1e308", 1e308), ("-inf", f64::NEG_INFINITY), ("1000001", 1_000_001.0)]
     {
         let file = with_entities(&format!("0\nCIRCLE\n8\nPINS\n10\n{text}\n20\n0\n40\n1\n"));
-        let Err(ReadError::NumberOutOfRange { entity, layer, field, value, .. }) = read(file.as_bytes())
-        else {
+        let error = read(file.as_bytes()).unwrap_err();
+        let words = error.to_string();
+        let ReadError::NumberOutOfRange { line, entity, layer, field, value, .. } = error else {
             panic!("{text}")
         };
-        assert_eq!((entity, layer.as_str(), field), ("CIRCLE", "PINS", "x"));
+        assert_eq!((line, entity, layer.as_str(), field), (5, "CIRCLE", "PINS", "x"));
+        assert!(words.starts_with("line 5: CIRCLE on layer PINS: x is ") && words.len() < 120, "{words}");
         assert!(value == expected || value.is_nan() && expected.is_nan());
     }
     let file = with_entities("0\nLWPOLYLINE\n8\nA\n70\n1\n10\n0\n20\n0\n42\ninf\n10\n9\n20\n0\n");
@@ -227,4 +229,22 @@ fn what_is_not_read_stops_only_where_something_is_chosen() {
         assert!(!report.is_complete() && report.lost.len() == 2, "{report}");
         assert!(report.to_string().contains("not used though it may be in the way: 1 × HATCH"), "{report}");
     }
+}
+
+#[test]
+fn utf_16_is_told_apart_from_binary_data() {
+    let little = |text: &str| -> Vec<u8> {
+        [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()
+    };
+    let big = |text: &str| -> Vec<u8> {
+        [0xfe, 0xff].into_iter().chain(text.encode_utf16().flat_map(u16::to_be_bytes)).collect()
+    };
+    let words = |bytes: &[u8]| {
+        traverse_drawing::read_drawing(bytes, &ReadOptions::default()).unwrap_err().to_string()
+    };
+    let drawing = with_entities("");
+    for bytes in [little(&drawing), big(&drawing)] {
+        assert!(words(&bytes).contains("text in UTF-16, which DXF never is"), "{}", words(&bytes));
+    }
+    assert!(words(&little("a letter")).contains("some other text in UTF-16"));
 }

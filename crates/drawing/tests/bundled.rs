@@ -6,6 +6,8 @@
 mod dxf_text;
 #[path = "../examples/make_drawings/leather_hide.rs"]
 mod leather_hide;
+#[path = "../examples/make_drawings/shoe_sections.rs"]
+mod shoe_sections;
 #[path = "../examples/make_drawings/turned_shaft.rs"]
 mod turned_shaft;
 #[path = "../examples/make_drawings/vise_and_clamps.rs"]
@@ -50,6 +52,12 @@ fn the_files_are_what_the_program_writes() {
             }
         }
     }
+}
+
+#[test]
+fn the_sections_are_what_the_program_writes() {
+    let path = format!("{}/../../drawings/shoe-sections.svg", env!("CARGO_MANIFEST_DIR"));
+    assert_eq!(std::fs::read_to_string(path).unwrap(), shoe_sections::text(), "run make_drawings");
 }
 
 #[test]

@@ -300,3 +300,65 @@ fn the_model_and_the_sheets_are_no_blocks() {
     assert_eq!(unused, [("CIRCLE", WhyUnused::PaperSpace, 1), ("INSERT", WhyUnused::UnknownBlock, 4)]);
     assert!(WhyUnused::UnknownBlock.loses_something());
 }
+
+/// Reasons why entities were not used, of a drawing of one curve.
+fn beside_one_curve(entity: &str) -> Vec<WhyUnused> {
+    let drawing = read("", entity);
+    assert_eq!(drawing.curve_count(), 1, "{entity}");
+    drawing.unused.iter().map(|unused| unused.why).collect()
+}
+
+#[test]
+fn bands_keep_their_centre_line_and_lose_their_width() {
+    let corners = |first: &str| format!("10\n0\n20\n0\n{first}10\n9\n20\n0\n10\n9\n20\n9\n");
+    for (constant, first, lost) in [
+        ("43\n10\n", "", true),
+        ("", "40\n0\n41\n2\n", true),
+        ("", "40\n2\n", true),
+        ("43\n0.0\n", "40\n0\n41\n0\n", false),
+        ("", "", false),
+    ] {
+        let text = format!("0\nLWPOLYLINE\n8\nA\n90\n3\n70\n1\n{constant}{}", corners(first));
+        let expected = if lost { vec![WhyUnused::Width] } else { Vec::new() };
+        assert_eq!(beside_one_curve(&text), expected, "{text}");
+    }
+    let old = |flags: i64, head: &str, vertex: &str| {
+        format!(
+            "0\nPOLYLINE\n8\nA\n70\n{flags}\n{head}0\nVERTEX\n10\n0\n20\n0\n{vertex}0\nVERTEX\n10\n9\n20\n0\n0\nSEQEND\n"
+        )
+    };
+    assert_eq!(beside_one_curve(&old(0, "40\n0.5\n41\n0.5\n", "")), [WhyUnused::Width]);
+    assert_eq!(beside_one_curve(&old(0, "", "41\n1\n")), [WhyUnused::Width]);
+    assert_eq!(beside_one_curve(&old(0, "40\n0\n41\n0\n", "40\n0\n")), []);
+    assert_eq!(beside_one_curve(&old(8, "40\n1\n", "")), [], "in space there is no width");
+    assert!(WhyUnused::Width.loses_something());
+}
+
+#[test]
+fn what_climbs_is_counted_and_read_from_above() {
+    for (text, climbs) in [
+        ("0\nLINE\n8\nA\n10\n0\n20\n0\n30\n0\n11\n9\n21\n0\n31\n4\n", true),
+        ("0\nLINE\n8\nA\n10\n0\n20\n0\n30\n4\n11\n9\n21\n0\n", true),
+        ("0\nLINE\n8\nA\n10\n0\n20\n0\n30\nnan\n11\n9\n21\n0\n", true),
+        ("0\nLINE\n8\nA\n10\n0\n20\n0\n30\n4\n11\n9\n21\n0\n31\n4.0000000000001\n", false),
+        (
+            "0\nPOLYLINE\n8\nA\n70\n8\n0\nVERTEX\n10\n0\n20\n0\n0\nVERTEX\n10\n9\n20\n0\n30\n2\n0\nSEQEND\n",
+            true,
+        ),
+        ("0\nPOLYLINE\n8\nA\n70\n8\n0\nVERTEX\n10\n0\n30\n2\n0\nVERTEX\n10\n9\n30\n2\n0\nSEQEND\n", false),
+        ("0\nSPLINE\n8\nA\n71\n1\n10\n0\n20\n0\n30\n0\n10\n9\n20\n0\n30\n1\n", true),
+        ("0\nSPLINE\n8\nA\n71\n1\n10\n0\n20\n0\n30\n1\n10\n9\n20\n0\n30\n1\n", false),
+    ] {
+        let expected = if climbs { vec![WhyUnused::Height] } else { Vec::new() };
+        assert_eq!(beside_one_curve(text), expected, "{text}");
+    }
+    assert!(!WhyUnused::Height.loses_something(), "what is seen from above is all there");
+}
+
+#[test]
+fn a_negative_radius_is_a_contradiction() {
+    for entity in ["CIRCLE", "ARC"] {
+        let drawing = read("", &format!("0\n{entity}\n8\nA\n10\n0\n20\n0\n40\n-5\n50\n0\n51\n90\n"));
+        assert_eq!((drawing.curve_count(), drawing.unused[0].why), (0, WhyUnused::Inconsistent));
+    }
+}

@@ -7,10 +7,13 @@ mod random;
 use random::Random;
 use std::f64::consts::TAU;
 use traverse_drawing::{
-    Curve, DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, ReadOptions, WORK_AREA_LAYER, join_loops,
-    read_dxf, write_dxf,
+    Curve, DxfWriteError, ENDS_LAYER, OBSTACLES_LAYER, PATH_LAYER, ReadOptions, SectionOptions,
+    WORK_AREA_LAYER, join_loops, read_drawing, read_dxf, sections_from_drawing, write_dxf, write_layout_dxf,
 };
-use traverse_geometry::{CornerStyle, Obstacle, Path, Point, Polygon, Ring, Scene, unit};
+use traverse_geometry::{
+    CornerStyle, Obstacle, Path, PlacedSection, Point, Polygon, Pose, Ring, Scene, SectionLayout, SlideRule,
+    unit,
+};
 
 fn random_path(random: &mut Random, arcs: bool) -> Path {
     let mut within = |low: f64, high: f64| low + (high - low) * random.share();
@@ -102,4 +105,31 @@ fn files_for_ezdxf() {
         std::fs::write(dir.join(format!("{number}.dxf")), text).unwrap();
         std::fs::write(dir.join(format!("{number}.length")), path.length().to_string()).unwrap();
     }
+    std::fs::write(dir.join("layout.dxf"), bundled_sections()).unwrap();
+}
+
+/// The bundled sections side by side.
+fn bundled_sections() -> String {
+    let path = format!("{}/../../drawings/shoe-sections.svg", env!("CARGO_MANIFEST_DIR"));
+    let drawing = read_drawing(&std::fs::read(path).unwrap(), &ReadOptions::default()).unwrap();
+    let sections = sections_from_drawing(&drawing, &SectionOptions::default()).unwrap().sections;
+    let mut x_mm = 0.0;
+    let order: Vec<PlacedSection> = (sections.iter().enumerate())
+        .map(|(section, of)| {
+            let placed = PlacedSection { section, copy: 0, pose: Pose::HalfTurn, x_mm };
+            x_mm += of.bounds().size().x;
+            placed
+        })
+        .collect();
+    let layout = SectionLayout {
+        sections,
+        gap_mm: 0.0,
+        strip_height_mm: None,
+        first: None,
+        last: None,
+        precedences: Vec::new(),
+        forbidden_joins: Vec::new(),
+        slide_rule: SlideRule::KeepOrder,
+    };
+    write_layout_dxf(&layout, &order).unwrap()
 }

@@ -76,6 +76,7 @@ fn curves_of_one_layer_are_told_apart_by_id_group_and_colour() {
             id: Some(id.to_owned()),
             groups: vec![group.to_owned()],
             color: Some(Color { red, green: 0, blue: 0 }),
+            ..Source::default()
         }),
         ..curve
     };
@@ -140,6 +141,24 @@ fn a_loop_that_crosses_itself_is_reported_with_its_place() {
     let finding = &made.report.findings[0];
     assert!(matches!(finding.fault, Fault::InvalidLoop { .. }), "{finding}");
     assert!(finding.layer == "A" && (500.0..=510.0).contains(&finding.place.x), "{finding}");
+}
+
+#[test]
+fn circles_that_cross_are_siblings_even_where_one_is_drawn_twice() {
+    let disc = |x: f64| {
+        let ends = [Point::new(x - 5.0, 0.0), Point::new(x + 5.0, 0.0)];
+        Curve::new(ends.to_vec(), vec![1.0; 2], true)
+    };
+    // The middle of one lies in the other.
+    let made = scene(&[("A", &[disc(0.0), disc(0.0), disc(4.0)])], Roles::default()).unwrap();
+    assert_eq!(ids(&made), ["A/1", "A/2"]);
+    let crossing = made.report.findings.iter().filter(|finding| finding.fault == Fault::LoopsCross).count();
+    assert_eq!(crossing, 1, "{:?}", made.report.findings);
+    assert!(!made.report.findings.iter().any(|finding| matches!(finding.fault, Fault::CrossingLoops { .. })));
+    // A disc inside both is a hole of the smaller one around it, and no finding.
+    let lens = Curve::new(vec![Point::new(1.5, 0.0), Point::new(2.5, 0.0)], vec![1.0; 2], true);
+    let made = scene(&[("A", &[disc(0.0), disc(4.0), lens])], Roles::default()).unwrap();
+    assert_eq!(made.scene.obstacles.len(), 2);
 }
 
 #[test]

@@ -16,6 +16,7 @@ pub(crate) struct ChainInput {
     /// Empty when every edge is straight.
     pub(crate) bulges: Vec<f64>,
     placed: bool,
+    odd: bool,
     /// Input number of each vertex. Empty: none was dropped.
     numbers: Vec<u32>,
     pub(crate) findings: FindingList,
@@ -76,7 +77,7 @@ impl ChainInput {
             }
             *bulge += 0.0;
         }
-        let mut input = Self { vertices, bulges, placed, numbers: Vec::new(), findings };
+        let mut input = Self { vertices, bulges, placed, odd, numbers: Vec::new(), findings };
         if placed {
             input.drop_empty_edges(closure);
         } else {
@@ -91,9 +92,9 @@ impl ChainInput {
         input
     }
 
-    /// Whether every coordinate is good, so that vertices may be counted.
+    /// Whether every coordinate is there and good, so that vertices may be counted.
     pub(crate) fn is_placed(&self) -> bool {
-        self.placed
+        self.placed && !self.odd
     }
 
     /// The number that vertex or edge `i` had in the input.

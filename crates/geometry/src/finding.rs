@@ -102,14 +102,20 @@ reasons! {
     HoleOutside = "HOLE_OUTSIDE",
     /// A hole inside another hole of the same polygon.
     HoleInHole = "HOLE_IN_HOLE",
+    /// Two parts of one section that overlap.
+    PartsOverlap = "PARTS_OVERLAP",
     /// An id that stands for two things.
     DuplicateId = "DUPLICATE_ID",
+    /// Something that is to come before itself, or before what must come first.
+    PrecedenceContradiction = "PRECEDENCE_CONTRADICTION",
     /// An enum value that this version does not know.
     UnknownEnumValue = "UNKNOWN_ENUM_VALUE",
     /// More items than GetLimits permits, or more edges lying on top of one another than can be told apart.
     TooMany = "TOO_MANY",
     /// A setting that has no meaning together with another one.
     NotApplicable = "NOT_APPLICABLE",
+    /// An id that stands for nothing in the request.
+    UnknownId = "UNKNOWN_ID",
 }
 
 impl fmt::Display for Reason {

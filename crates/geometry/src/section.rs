@@ -1,6 +1,6 @@
 //! Sections of a cutting layout and how they may be placed: the question that layout sequencing and checker share.
 
-use crate::{Bounds, Motion, Point, Polygon};
+use crate::{Bounds, Motion, Point, Polygon, Vector};
 
 /// Parts that are laid out together and stay together: a block of a cutting layout.
 #[derive(Clone, Debug, PartialEq)]
@@ -136,6 +136,15 @@ impl Pose {
             Self::MirrorY => Motion::mirror_x().then(&Motion::quarter_turns(2)),
         };
         turn.about(bounds.center())
+    }
+}
+
+impl PlacedSection {
+    /// The motion from the coordinates of its section, whose bounding box is `bounds`, to the layout.
+    #[must_use]
+    pub fn motion(&self, bounds: &Bounds) -> Motion {
+        let along = Vector::new(self.x_mm - bounds.min.x, 0.0);
+        self.pose.motion(bounds).then(&Motion::translation(along))
     }
 }
 

@@ -6,13 +6,14 @@ use crate::drive::{DogLegTime, Driver};
 use crate::ends::{ClearEnds, clear_ends};
 use crate::level::{Levels, best_level};
 use crate::measure::{AxisTime, Length, Measure};
-use crate::price::{at_rest, bound_of, in_plane, of_search, straight, travel_cost, vertical};
+use crate::price::{at_rest, bound_of, in_plane, straight, travel_cost, vertical};
 use crate::quickest::{Way, quickest};
 use crate::rapid_move::least_cost;
 use crate::search::{End, Known, Route, Search, locally_shortest};
 use crate::separating::separating;
 use crate::shortest_route::ShortestRoute;
 use crate::standing::stand;
+use crate::told::Told;
 use crate::trace::{is_same_way, trace};
 use crate::{Algorithm, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
@@ -418,26 +419,4 @@ impl<'a> AtClearance<'a> {
 
 fn found_along(route: Route, [start, target]: ClearEnds) -> Found {
     Found { path: trace(&route, start, target), route: Some(route) }
-}
-
-/// Hears a search's bounds and passes them on as the whole move's.
-struct Told<'a> {
-    observer: &'a mut dyn Observer,
-    cost: TravelCost,
-    /// What the whole costs beside the search's part.
-    by: f64,
-    /// The best bound so far.
-    most: f64,
-}
-
-impl Observer for Told<'_> {
-    fn better_cost(&mut self, _cost: f64) {}
-
-    fn better_bound(&mut self, lower_bound: f64) {
-        let bound = of_search(lower_bound, &self.cost) + self.by;
-        if bound > self.most {
-            self.most = bound;
-            self.observer.better_bound(bound);
-        }
-    }
 }

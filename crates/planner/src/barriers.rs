@@ -151,6 +151,25 @@ impl<'a> Barriers<'a> {
         }
     }
 
+    /// Whether `point` is known, at constant cost, to lie clear of every barrier: nothing lies between it and the middle of
+    /// its cell, which does. `is_clear` tells whether a middle does, once for each.
+    pub(crate) fn is_known_clear(&self, point: Point, is_clear: impl FnOnce(Point) -> Option<bool>) -> bool {
+        let Some((middle, known)) = self.there.and_then(|(_, nearby)| nearby.middle_of(point)) else {
+            return false;
+        };
+        if known.get().is_none() {
+            known.set(is_clear(middle));
+        }
+        let mut is_free = known.get() == Some(true);
+        if is_free {
+            self.blocking(&Segment::new(point, middle), |_| {
+                is_free = false;
+                ControlFlow::Break(())
+            });
+        }
+        is_free
+    }
+
     /// The obstacle; none for the work area.
     pub(crate) fn obstacle(&self, owner: usize) -> Option<&'a Obstacle> {
         self.scene.obstacles.get(owner)

@@ -1,7 +1,10 @@
 //! The shortest collision-free rapid move round obstacles: exact for any number of them, convex or not, with holes
 //! and arcs, touching and overlapping, with and without a work area, for clearance 0, round and mitred corners.
 //!
-//! Rules let the tool pass over what is low, leave and enter barriers, and try clearances in turn.
+//! Rules let the tool pass over what is low, leave and enter barriers, and try clearances in turn. They say what travel
+//! costs (`measure`, `price`): length or the seconds of axes that run at their own speeds, both proven; or seconds with
+//! acceleration (`kinematics`, `quickest`), with a bound. And they say how the machine runs a route (`drive`): dog-legs in the
+//! place of straight moves, chords in the place of arcs.
 //!
 //! The data's way: clearances are tried in turn (`rapid_move`); at each a [`traverse_geometry::Scene`] is taken apart
 //! into barriers (`barriers`, `barrier`), the ends are led out of them (`way_out`) and placed (`standing`), the levels
@@ -60,10 +63,12 @@ mod separating;
 mod shortest_route;
 mod standing;
 mod supporting_lines;
+mod told;
 mod tool_change;
 mod trace;
 mod way_out;
 
+pub use drive::as_run;
 pub use plan::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 pub use prepared::{EditRefusal, PreparedScene};
 pub use price::travel_cost;

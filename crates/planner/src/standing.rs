@@ -20,16 +20,47 @@ const NARROW_WEDGE: f64 = 1e-4;
 /// Every barrier that `point` lies inside of: owner and depth, millimetres. `left_out` is taken for not there.
 ///
 /// # Errors
-/// The budget ended. Cost: linear.
+/// The budget ended. Cost: linear; in a prepared scene mostly constant.
 pub(crate) fn depths(
     barriers: &Barriers<'_>,
     left_out: &BTreeSet<usize>,
     point: Point,
     budget: &Budget,
 ) -> Result<Vec<(usize, f64)>, Interrupt> {
+    if left_out.is_empty() && is_known_clear(barriers, point, budget) {
+        return Ok(Vec::new());
+    }
+    depths_one_by_one(barriers, left_out, point, budget)
+}
+
+/// Whether `point` is known to lie clear of every barrier; says nothing where it is not.
+fn is_known_clear(barriers: &Barriers<'_>, point: Point, budget: &Budget) -> bool {
+    let none = BTreeSet::new();
+    barriers.is_known_clear(point, |middle| {
+        let depths = depths_one_by_one(barriers, &none, middle, budget).ok()?;
+        Some(depths.is_empty() && is_clear(barriers, &none, middle))
+    })
+}
+
+fn depths_one_by_one(
+    barriers: &Barriers<'_>,
+    left_out: &BTreeSet<usize>,
+    point: Point,
+    budget: &Budget,
+) -> Result<Vec<(usize, f64)>, Interrupt> {
     let mut found = Vec::new();
+    let near = near(barriers, left_out, point);
+    // On the border of what keeps no distance: no deeper than contact.
+    let is_on_border = |owner: usize| {
+        let mut blockers = near.iter().filter(|blocker| blocker.owner == owner);
+        barriers.clearance(owner).asked == 0.0
+            && blockers.any(|blocker| blocker.edge.distance_to_point(point) <= CONTACT_TOLERANCE_MM / 2.0)
+    };
     for owner in barriers.owners_at(point).into_iter().filter(|owner| !left_out.contains(owner)) {
         budget.check(0)?;
+        if is_on_border(owner) {
+            continue;
+        }
         found.extend(depth(barriers, owner, point).map(|depth| (owner, depth)));
     }
     Ok(found)
@@ -45,6 +76,9 @@ pub(crate) fn stand(
     point: Point,
     budget: &Budget,
 ) -> Result<End, Interrupt> {
+    if left_out.is_empty() && is_known_clear(barriers, point, budget) {
+        return Ok(End { point, places: vec![point], shut_in_by: Vec::new() });
+    }
     let places = places(barriers, left_out, point, budget)?;
     let mut shut_in_by = Vec::new();
     if places.is_empty() {
@@ -186,6 +220,9 @@ fn is_beside(
     });
     if parted {
         return Ok(false);
+    }
+    if left_out.is_empty() && is_known_clear(barriers, place, budget) {
+        return Ok(true);
     }
     for owner in barriers.owners_at(place).into_iter().filter(|owner| !left_out.contains(owner)) {
         budget.check(0)?;

@@ -90,7 +90,11 @@ impl Tally<'_> {
         self.messages += 1;
         let limits = self.limits;
         let all = limits.obstacle_count.saturating_mul(4).saturating_add(limits.step_count.saturating_mul(4));
-        let all = all.saturating_add(limits.vertex_count).saturating_add(100);
+        // A part holds its shape, its rings and its pole.
+        let sections =
+            limits.section_count.saturating_mul(4).saturating_add(limits.part_count.saturating_mul(4));
+        let sections = sections.saturating_add(limits.rule_count().saturating_mul(2));
+        let all = all.saturating_add(sections).saturating_add(limits.vertex_count).saturating_add(100);
         if self.messages > all {
             return Err(too_many(step.path(), "messages", all));
         }
@@ -110,6 +114,12 @@ impl Tally<'_> {
         let limit = match step.field.full_name() {
             "traverse.v1.Scene.obstacles" => limits.obstacle_count,
             "traverse.v1.Path.steps" => limits.step_count,
+            "traverse.v1.OrderSectionsRequest.sections"
+            | "traverse.v1.OrderSectionsRequest.initial_order"
+            | "traverse.v1.CheckSectionsRequest.order" => limits.section_count,
+            "traverse.v1.Section.parts" => limits.part_count,
+            "traverse.v1.OrderSectionsRequest.precedences"
+            | "traverse.v1.OrderSectionsRequest.forbidden_joins" => limits.rule_count(),
             // A ring has at least one vertex.
             _ => limits.vertex_count,
         };

@@ -6,7 +6,7 @@
 
 use crate::{Limits, Procedure, Refused, schema::error_detail};
 use prost::Message;
-use prost_reflect::{DeserializeOptions, DynamicMessage, MessageDescriptor, SerializeOptions};
+use prost_reflect::{DeserializeOptions, DynamicMessage, Kind, MessageDescriptor, SerializeOptions};
 use serde_json::value::RawValue;
 
 /// The encoded request that JSON text stands for.
@@ -60,13 +60,38 @@ fn from_json(kind: MessageDescriptor, text: &[u8]) -> Result<DynamicMessage, Ref
     let mut track = serde_path_to_error::Track::new();
     let options = DeserializeOptions::new().deny_unknown_fields(true);
     let tracked = serde_path_to_error::Deserializer::new(&mut reader, &mut track);
-    let message = DynamicMessage::deserialize_with_options(kind, tracked, &options);
+    let message = DynamicMessage::deserialize_with_options(kind.clone(), tracked, &options);
     let message = message.map_err(|error| {
         let path = track.path().to_string();
-        malformed(if path == "." { error.to_string() } else { format!("{path}: {error}") })
+        let known = match error.classify() {
+            serde_json::error::Category::Data => known_at(kind, &path).unwrap_or_default(),
+            _ => String::new(),
+        };
+        malformed(if path == "." { format!("{error}{known}") } else { format!("{path}: {error}{known}") })
     })?;
     reader.end().map_err(|error| malformed(error.to_string()))?;
     Ok(message)
+}
+
+/// What may stand at a path such as `scene.obstacles[0].shape`: the fields of a message, the values of an enumeration.
+fn known_at(root: MessageDescriptor, path: &str) -> Option<String> {
+    let mut kind = Kind::Message(root);
+    for part in path.split('.').filter(|part| !part.is_empty()) {
+        let name = part.split('[').next().unwrap_or(part);
+        let Kind::Message(message) = &kind else { return None };
+        let field = message.get_field_by_json_name(name).or_else(|| message.get_field_by_name(name));
+        // What is not known itself: its message says what is.
+        let Some(field) = field else { break };
+        kind = field.kind();
+    }
+    let (what, names): (_, Vec<String>) = match kind {
+        Kind::Message(message) => {
+            ("fields", message.fields().map(|field| field.json_name().to_owned()).collect())
+        }
+        Kind::Enum(values) => ("values", values.values().map(|value| value.name().to_owned()).collect()),
+        _ => return None,
+    };
+    Some(format!("; known {what} are {}", names.join(", ")))
 }
 
 fn to_json(kind: MessageDescriptor, bytes: &[u8]) -> Result<Vec<u8>, Refused> {
@@ -103,7 +128,12 @@ fn most_values(limits: &Limits) -> usize {
     let items = limits.vertex_count.saturating_mul(4);
     let obstacles = limits.obstacle_count.saturating_mul(16);
     let steps = limits.step_count.saturating_mul(16);
-    items.saturating_add(obstacles).saturating_add(steps).saturating_add(1000)
+    // A section with its copies in a given order, a part with its pole.
+    let sections =
+        limits.section_count.saturating_mul(32).saturating_add(limits.part_count.saturating_mul(16));
+    let rules = limits.rule_count().saturating_mul(8);
+    let scene = items.saturating_add(obstacles).saturating_add(steps);
+    scene.saturating_add(sections).saturating_add(rules).saturating_add(1000)
 }
 
 #[cfg(test)]
@@ -133,6 +163,9 @@ mod tests {
             (r#"{"scene":{"obstacles":[{"shape":{"outre":{}}}]}}"#, "scene.obstacles[0].shape", "outre"),
             (r#"{"start":{"x_mm":"far"}}"#, "start.x_mm", "invalid float"),
             (r#"{"start":{"x_mm":1e999}}"#, "start.x_mm", "out of range"),
+            (r#"{"scene":{"obstacles":[{"shape":{"outre":{}}}]}}"#, "shape", "known fields are outer, holes"),
+            (r#"{"scene":{"cornerStyle":"FOO"}}"#, "scene.cornerStyle", "CORNER_STYLE_ROUND"),
+            (r#"{"sceen":{}}"#, "", "known fields are scene, start"),
             ("", "", "EOF"),
             ("<html>", "", "expected value"),
             (r#"{} {}"#, "", "trailing"),
@@ -157,7 +190,14 @@ mod tests {
 
     #[test]
     fn too_many_values_are_refused_before_parsing() {
-        let limits = Limits { vertex_count: 10, obstacle_count: 1, step_count: 1, ..Limits::default() };
+        let limits = Limits {
+            vertex_count: 10,
+            obstacle_count: 1,
+            step_count: 1,
+            section_count: 1,
+            part_count: 1,
+            ..Limits::default()
+        };
         let text = format!(r#"{{"scene":[{}0]}}"#, "0,".repeat(2000));
         let refused = request_from_json(&plan(), text.as_bytes(), &limits).unwrap_err();
         assert_eq!(refused.reason(), "MALFORMED_JSON");

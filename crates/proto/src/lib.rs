@@ -55,11 +55,13 @@ pub const FILE_DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "
 
 pub use count::check_counts;
 pub use decode::{
-    CheckQuestion, PlanQuestion, ToolChangeQuestion, path_from_wire, requested_time_limit, rules_time_limit,
+    CheckQuestion, CheckSectionsQuestion, OrderQuestion, OrderReturns, PlanQuestion, ToolChangeQuestion,
+    order_from_wire, path_from_wire, requested_order_time_limit, requested_time_limit, rules_time_limit,
 };
 pub use encode::{
-    check_answer, check_request, plan_answer, plan_request, sound_answer, tool_change_answer,
-    tool_change_request,
+    CountedLimit, Improvement, SearchFacts, check_answer, check_request, check_sections_answer,
+    check_sections_request, order_answer, order_request, plan_answer, plan_request, sound_answer,
+    sound_order_answer, tool_change_answer, tool_change_request,
 };
 pub use inside_end::{InsideEnd, ShutInEnd};
 pub use limits::Limits;

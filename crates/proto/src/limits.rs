@@ -11,9 +11,15 @@ pub struct Limits {
     pub obstacle_count: usize,
     /// Most steps of a path to check.
     pub step_count: usize,
+    /// Most sections of one layout, every copy counted.
+    pub section_count: usize,
+    /// Most parts of all sections of one request, copies not counted; and most placed parts of one answer.
+    pub part_count: usize,
+    /// Most entries of a matrix of effects that is answered.
+    pub join_count: usize,
 }
 
-/// Longest id of an obstacle, bytes.
+/// Longest id of an obstacle, a section or a part, bytes.
 pub(crate) const ID_BYTES: usize = 256;
 
 impl Default for Limits {
@@ -23,6 +29,16 @@ impl Default for Limits {
             vertex_count: 250_000,
             obstacle_count: 50_000,
             step_count: 50_000,
+            section_count: 20_000,
+            part_count: 50_000,
+            join_count: 400_000,
         }
+    }
+}
+
+impl Limits {
+    /// Most precedences, and most forbidden joins, of one request: one for each section.
+    pub(crate) fn rule_count(&self) -> usize {
+        self.section_count
     }
 }

@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn procedures_are_found_by_path_and_by_name() {
         let paths: Vec<String> = Procedure::all().map(|procedure| procedure.path()).collect();
-        assert_eq!(paths.len(), 4);
+        assert_eq!(paths.len(), 6);
         for path in &paths {
             assert_eq!(Procedure::at_path(path).expect("its own path").path(), *path);
         }

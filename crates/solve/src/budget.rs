@@ -58,6 +58,21 @@ impl Budget {
         Self::default()
     }
 
+    /// A part of what is left, from 0 to 1: until that part of the time to the deadline has passed, and that part of the
+    /// iterations beyond `iterations`, those already spent, is used up. The cancel stays the same. Reads the clock.
+    #[must_use]
+    pub fn share(&self, part: f64, iterations: u64) -> Self {
+        let now = Instant::now();
+        let until =
+            |deadline: Instant| now + deadline.saturating_duration_since(now).mul_f64(part.clamp(0.0, 1.0));
+        let some = |limit: u64| (limit.saturating_sub(iterations) as f64 * part.clamp(0.0, 1.0)) as u64;
+        Self {
+            deadline: self.deadline.map(until),
+            iterations: self.iterations.map(some),
+            cancel: self.cancel.clone(),
+        }
+    }
+
     /// Whether the engine may go on, having spent `iterations` of them. Reads the clock: call it every few
     /// microseconds of work, not every few nanoseconds.
     ///
@@ -74,5 +89,23 @@ impl Budget {
             return Err(Interrupt::Deadline);
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn a_share_is_a_part_of_what_is_left_under_the_same_cancel() {
+        let end = Instant::now() + Duration::from_secs(1_000);
+        let budget = Budget { deadline: Some(end), iterations: Some(100), ..Budget::unlimited() };
+        let share = budget.share(0.5, 40);
+        assert_eq!(share.iterations, Some(30));
+        assert!(share.deadline.is_some_and(|deadline| deadline < end - Duration::from_secs(400)));
+        budget.cancel.cancel();
+        assert_eq!(share.check(0), Err(Interrupt::Cancelled));
+        assert_eq!(Budget::unlimited().share(0.5, 7).deadline, None);
     }
 }

@@ -331,8 +331,13 @@ fn both_published_models_and_every_end_give_the_order_that_one_path_gives() {
         let optimum = brute_force(&path).map(|cost| -cost);
         for model in [SectionModel::ShareOfLength { whole_length: 1000 }, SectionModel::Complement] {
             for method in [Method::Ladder, Method::BranchAndBound] {
-                let best = order_with_every_end(&effects, sections, model, method, &Budget::unlimited());
+                let options = SolveOptions { method, ..SolveOptions::default() };
+                let mut heard = None;
+                let mut hear = |_: &[usize], saved: i64| heard = Some(saved);
+                let budget = Budget::unlimited();
+                let best = order_with_every_end(&effects, sections, model, &options, &budget, &mut hear);
                 let best = best.expect("small effects").map(|(_, saved)| saved);
+                assert_eq!(heard, best);
                 // A circuit must exist with the end held: where forbidden joins leave a path there is one.
                 assert_eq!(best, optimum, "{model:?} {method:?}");
             }

@@ -21,7 +21,7 @@ pub(crate) fn findings(status: &Status) -> Vec<(String, String)> {
     violations.into_iter().map(|violation| (violation.field, violation.reason)).collect()
 }
 
-fn found(expected: &[(&str, &str)]) -> Vec<(String, String)> {
+pub(crate) fn found(expected: &[(&str, &str)]) -> Vec<(String, String)> {
     expected.iter().map(|&(field, reason)| (field.to_owned(), reason.to_owned())).collect()
 }
 
@@ -58,6 +58,7 @@ async fn every_finding_comes_at_once() {
             options: Some(v1::SolveOptions {
                 time_limit: Some(prost_types::Duration { seconds: -1, nanos: 0 }),
                 iteration_limit: -5,
+                ..Default::default()
             }),
             heights: Some(v1::HeightRule {
                 start_z_mm: f64::NAN,
@@ -121,7 +122,7 @@ async fn a_path_to_check_is_validated_too() {
     let server = Running::start().await;
     let arc = v1::Arc { center: point(f64::NAN, 0.0), clockwise: true, sweep_rad: -1.0 };
     let steps = vec![
-        v1::PathStep { end: None, arc: None, z_mm: Some(1e9) },
+        v1::PathStep { end: None, arc: None, z_mm: Some(1e9), motion: 0 },
         v1::PathStep { end: point(0.0, 0.0), arc: Some(arc), ..Default::default() },
         v1::PathStep {
             end: point(0.0, 0.0),
@@ -214,7 +215,13 @@ async fn a_million_wrong_numbers_make_a_small_answer() {
 }
 
 fn small() -> Config {
-    let limits = Limits { message_bytes: 4096, vertex_count: 10, obstacle_count: 3, step_count: 2 };
+    let limits = Limits {
+        message_bytes: 4096,
+        vertex_count: 10,
+        obstacle_count: 3,
+        step_count: 2,
+        ..Limits::default()
+    };
     Config { limits, ..Config::on_free_port() }
 }
 

@@ -5,6 +5,7 @@ use crate::request::{PAST_A_BLOCK, PAST_A_BLOCK_MM, past_a_block};
 use crate::running::Running;
 use http::{HeaderName, HeaderValue, Method, StatusCode, header};
 use prost::Message;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use traverse_proto::v1;
 use traverse_proto::v1::plan_rapid_move_response::Outcome;
 use traverse_server::{CallError, Caller, Config, Server};
@@ -112,4 +113,29 @@ async fn a_caller_gets_the_same_in_process_and_from_a_server() {
     assert!(matches!(Caller::remote("ftp://x"), Err(CallError::Address { .. })));
     let nobody = Caller::remote("127.0.0.1:1").expect("an address");
     assert!(matches!(nobody.call("GetLimits", "{}").await, Err(CallError::Unreachable { .. })));
+}
+
+/// The first line of the answer to a GET with a header of that many bytes.
+async fn status_line(server: &Running, header_bytes: usize) -> String {
+    let mut stream = tokio::net::TcpStream::connect(server.address).await.expect("it listens");
+    let head = format!("GET / HTTP/1.1\r\nhost: localhost\r\nx: {}\r\n\r\n", "x".repeat(header_bytes));
+    // The server may answer and close before it has read all.
+    stream.write_all(head.as_bytes()).await.ok();
+    let mut answer = Vec::new();
+    stream.read_buf(&mut answer).await.ok();
+    String::from_utf8_lossy(&answer).lines().next().unwrap_or_default().to_owned()
+}
+
+#[tokio::test]
+async fn heads_of_http_1_are_bounded() {
+    let server = Running::start().await;
+    assert!(!status_line(&server, 12 << 10).await.contains(" 431 "));
+    assert!(
+        status_line(&server, 17 << 10).await.contains(" 431 "),
+        "{}",
+        status_line(&server, 17 << 10).await
+    );
+    // Bodies are longer than what is read at once.
+    let scene = format!("{}{}", PAST_A_BLOCK, " ".repeat(100_000));
+    assert_eq!(call(server.address, "PlanRapidMove", scene).await.status, StatusCode::OK);
 }

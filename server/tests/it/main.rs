@@ -16,5 +16,6 @@ mod log;
 mod request;
 mod rules;
 mod running;
+mod sections;
 mod tool_change;
 mod web;

@@ -32,7 +32,7 @@ pub(crate) fn past_a_block() -> v1::PlanRapidMoveRequest {
 
 pub(crate) fn with_time_limit(seconds: i64, nanos: i32) -> v1::PlanRapidMoveRequest {
     let options =
-        v1::SolveOptions { time_limit: Some(prost_types::Duration { seconds, nanos }), iteration_limit: 0 };
+        v1::SolveOptions { time_limit: Some(prost_types::Duration { seconds, nanos }), ..Default::default() };
     v1::PlanRapidMoveRequest {
         rules: Some(v1::RapidRules { options: Some(options), ..Default::default() }),
         ..past_a_block()

@@ -1,5 +1,5 @@
-// Calls with a deadline, tried again when the server can't be reached: UNAVAILABLE only. Nothing else gets better by being
-// repeated.
+// Calls with a deadline, tried again when the server can't be reached (UNAVAILABLE), and where it says when (RetryInfo, such as
+// with a full queue). Nothing else gets better by being repeated.
 #pragma once
 
 #include <grpcpp/grpcpp.h>
@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "traverse/refusal.hpp"
 #include "traverse/v1/service.grpc.pb.h"
 
 namespace traverse_client {
@@ -36,8 +37,13 @@ class Client {
       grpc::ClientContext context;
       context.set_deadline(deadline);
       const grpc::Status status = stub_->PlanRapidMove(&context, request, &response);
-      const Clock::time_point next = Clock::now() + with_jitter(pause);
-      if (status.error_code() != grpc::StatusCode::UNAVAILABLE || next >= deadline) return status;
+      if (status.ok()) return status;
+      const auto asked = refusal(status).retry_after;
+      // Compared before it is added: a delay of years is no time that the clock has.
+      if ((status.error_code() != grpc::StatusCode::UNAVAILABLE && !asked) || asked.value_or(kNoDelay) >= patience)
+        return status;
+      const Clock::time_point next = Clock::now() + asked.value_or(kNoDelay) + with_jitter(pause);
+      if (next >= deadline) return status;
       // A channel makes headway only while somebody waits on it: in mere sleep every connection would time out half made.
       channel_->WaitForConnected(next);
       std::this_thread::sleep_until(next);
@@ -45,6 +51,7 @@ class Client {
   }
 
  private:
+  static constexpr std::chrono::milliseconds kNoDelay{0};
   static constexpr std::chrono::milliseconds kFirstPause{100};
   static constexpr std::chrono::milliseconds kLongestPause{2000};
 

@@ -3,6 +3,8 @@
 
 #include <grpcpp/grpcpp.h>
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,7 @@ struct Refusal {
   std::string reason;  // UPPER_SNAKE_CASE; empty when something else than Traverse answered
   std::string message;
   std::vector<Finding> findings;
+  std::optional<std::chrono::milliseconds> retry_after;  // when the server says that trying again helps
 };
 
 namespace detail {
@@ -44,6 +47,11 @@ inline Refusal refusal(const grpc::Status& status) {
   for (const google::protobuf::Any& any : details.details()) {
     ErrorInfo info;
     if (detail::unpack(any, "google.rpc.ErrorInfo", info)) read.reason = info.reason();
+    RetryInfo retry;
+    if (detail::unpack(any, "google.rpc.RetryInfo", retry))
+      read.retry_after =
+          std::chrono::seconds{retry.retry_delay().seconds()} +
+          std::chrono::ceil<std::chrono::milliseconds>(std::chrono::nanoseconds{retry.retry_delay().nanos()});
     BadRequest request;
     if (!detail::unpack(any, "google.rpc.BadRequest", request)) continue;
     for (const auto& violation : request.field_violations())

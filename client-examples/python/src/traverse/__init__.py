@@ -13,6 +13,7 @@ from .arc import Arc
 from .client import Client
 from .effort import Algorithm, Effort
 from .error import CallFailed, Finding, RequestRefused, ServerBusy, ServerUnavailable, TimeOver
+from .layout import Layout, LayoutRules, PlacedSection, Pose, Section
 from .path import Path, Step
 from .picture import picture
 from .point import Point
@@ -29,17 +30,22 @@ __all__ = [
     "CornerStyle",
     "Effort",
     "Finding",
+    "Layout",
+    "LayoutRules",
     "Limits",
     "NoPath",
     "Obstacle",
     "Path",
+    "PlacedSection",
     "Point",
     "Polygon",
+    "Pose",
     "RapidPlan",
     "RequestRefused",
     "Retry",
     "Ring",
     "Scene",
+    "Section",
     "ServerBusy",
     "ServerUnavailable",
     "Stats",

@@ -77,7 +77,7 @@ class NoPath:
 
 @dataclass(frozen=True)
 class Violation:
-    """One thing that a path does against its request."""
+    """One thing that a path or a layout does against its request."""
 
     field: str
     """Into the plan, such as ``path.steps[7]``."""
@@ -90,7 +90,7 @@ class Violation:
     at: Point | None
     """Where it is worst."""
     obstacle_id: str
-    """The obstacle concerned, or ``work_area``; empty when none is."""
+    """The obstacle concerned, or ``work_area``; in a layout the other section; empty when none is."""
 
 
 @dataclass(frozen=True)
@@ -98,11 +98,11 @@ class Check:
     """What the checker found."""
 
     violations: tuple[Violation, ...]
-    """Empty: the path is sound."""
+    """Empty: the path, or the layout, is sound."""
     cost_mm: float
-    """Recomputed, millimetres."""
+    """Recomputed, millimetres: travel, or the length of a layout."""
     smallest_margin_mm: float | None
-    """Least distance beyond the clearance along the path; negative: too near. None: nothing is in the way."""
+    """Least distance beyond the clearance, or the gap; negative: too near. None: nothing is in the way."""
 
 
 @dataclass(frozen=True)
@@ -128,3 +128,9 @@ class Limits:
     """Of a request that names none."""
     longest_time_limit: timedelta
     """A longer one is cut to it."""
+    section_count: int
+    """Most sections of one layout, every copy counted."""
+    part_count: int
+    """Most parts of all sections of one request."""
+    join_count: int
+    """Most entries of a matrix of effects that is answered."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from datetime import timedelta
 from types import TracebackType
 from typing import Any, TypeVar
 
@@ -11,11 +13,12 @@ from google.protobuf.message import Message
 from . import wire
 from .answer import Check, Limits, NoPath, RapidPlan
 from .effort import Effort
+from .layout import Layout, LayoutRules, PlacedSection, Section
 from .path import Path
 from .retry import Retry
 from .scene import Scene
 from .status import exception
-from .v1 import rapid_pb2, service_pb2
+from .v1 import rapid_pb2, sections_pb2, service_pb2
 
 _Response = TypeVar("_Response", bound=Message)
 
@@ -32,6 +35,7 @@ _CHANNEL_OPTIONS = [
 ]
 
 _EFFORT = Effort()
+_RULES = LayoutRules()
 _RETRY = Retry()
 
 
@@ -123,6 +127,40 @@ class Client:
             tolerance_mm=tolerance_mm,
         )
         return wire.check(self._call("CheckRapidMove", request, rapid_pb2.CheckRapidMoveResponse, deadline))
+
+    def order_sections(
+        self,
+        sections: Iterable[Section],
+        rules: LayoutRules = _RULES,
+        *,
+        time_limit: timedelta | None = None,
+        deadline: float | None = None,
+    ) -> Layout:
+        """The order, and of each section the pose, in which a cutting layout is shortest.
+
+        time_limit: the best layout until then is the answer. None: shortly before the deadline.
+        deadline: seconds, instead of the client's.
+        Raises RequestRefused with every finding, ServerBusy, ServerUnavailable, or another CallFailed.
+        """
+        request = wire.order_message(sections, rules, time_limit)
+        return wire.layout(self._call("OrderSections", request, sections_pb2.OrderSectionsResponse, deadline))
+
+    def check_sections(
+        self,
+        sections: Iterable[Section],
+        rules: LayoutRules,
+        order: Iterable[PlacedSection],
+        *,
+        tolerance_mm: float | None = None,
+        deadline: float | None = None,
+    ) -> Check:
+        """Checks a layout, wherever it came from, by code that shares nothing with the solver.
+
+        tolerance_mm: how much nearer than the gap parts of different sections may come. None: 1e-6.
+        """
+        asked = wire.order_message(sections, rules, None)
+        request = wire.check_layout_message(asked, order, tolerance_mm)
+        return wire.layout_check(self._call("CheckSections", request, sections_pb2.CheckSectionsResponse, deadline))
 
     def limits(self, *, deadline: float | None = None) -> Limits:
         """Largest sizes, longest times and version of the server."""

@@ -10,12 +10,15 @@ from typing import TypeVar
 
 import grpc
 
+from .status import exception
+
 _Answer = TypeVar("_Answer")
 
 
 @dataclass(frozen=True)
 class Retry:
-    """Tries again on UNAVAILABLE only: nothing else gets better by being repeated. Pauses double, with jitter."""
+    """Tries again on UNAVAILABLE, and where the server says when, such as with a full queue. Nothing else gets better
+    by being repeated. Pauses double, with jitter, after what the server asks for."""
 
     tries: int = 5
     """How often at most; 1: never again."""
@@ -37,9 +40,11 @@ class Retry:
                 return call(max(end - time.monotonic(), 0.0))
             except grpc.RpcError as error:
                 tried += 1
-                unavailable = isinstance(error, grpc.Call) and error.code() is grpc.StatusCode.UNAVAILABLE
-                pause = self.pause(tried)
-                if not unavailable or tried >= self.tries or time.monotonic() + pause >= end:
+                failed = exception(error)
+                asked = failed.retry_after
+                again = failed.code is grpc.StatusCode.UNAVAILABLE or asked is not None
+                pause = self.pause(tried) + (asked.total_seconds() if asked is not None else 0.0)
+                if not again or tried >= self.tries or time.monotonic() + pause >= end:
                     raise
             time.sleep(pause)
 

@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from datetime import timedelta
+
 from .answer import Check, Limits, NoPath, RapidPlan, Stats, Violation
 from .arc import Arc
 from .effort import Algorithm, Effort
+from .layout import Layout, LayoutRules, PlacedSection, Pose, Section
 from .path import Path, Step
 from .point import Point
 from .ring import Ring
 from .scene import CornerStyle, Polygon, Scene
-from .v1 import geometry_pb2, rapid_pb2, service_pb2
+from .v1 import geometry_pb2, rapid_pb2, sections_pb2, service_pb2, solve_pb2
 
 _CORNER_STYLES = {CornerStyle.ROUND: rapid_pb2.CORNER_STYLE_ROUND, CornerStyle.MITER: rapid_pb2.CORNER_STYLE_MITER}
 _ALGORITHMS = {
     Algorithm.EXACT: rapid_pb2.RAPID_ALGORITHM_EXACT,
     Algorithm.SUPPORTING_LINES: rapid_pb2.RAPID_ALGORITHM_SUPPORTING_LINES,
 }
+
+_POSES = {
+    Pose.AS_IS: sections_pb2.SECTION_POSE_AS_IS,
+    Pose.HALF_TURN: sections_pb2.SECTION_POSE_HALF_TURN,
+    Pose.MIRROR_X: sections_pb2.SECTION_POSE_MIRROR_X,
+    Pose.MIRROR_Y: sections_pb2.SECTION_POSE_MIRROR_Y,
+}
+_POSES_OF = {number: pose for pose, number in _POSES.items()}
 
 
 def request_message(
@@ -30,6 +42,59 @@ def request_message(
         request.rules.options.time_limit.FromTimedelta(effort.time_limit)
     request.rules.options.iteration_limit = effort.iteration_limit
     return request
+
+
+def order_message(
+    sections: Iterable[Section], rules: LayoutRules, time_limit: timedelta | None
+) -> sections_pb2.OrderSectionsRequest:
+    """A request for an order of sections."""
+    request = sections_pb2.OrderSectionsRequest(
+        gap_mm=rules.gap_mm,
+        strip_height_mm=rules.strip_height_mm,
+        first_section_id=rules.first,
+        last_section_id=rules.last,
+        slide_rule=sections_pb2.SLIDE_RULE_FREE if rules.may_tuck_in else sections_pb2.SLIDE_RULE_KEEP_ORDER,
+    )
+    for section in sections:
+        added = request.sections.add(
+            id=section.id, quantity=section.quantity, allowed_poses=(_POSES[pose] for pose in section.poses)
+        )
+        for number, part in enumerate(section.parts, start=1):
+            added.parts.add(id=str(number), shape=_polygon(part))
+    for before, after in rules.precedences:
+        request.precedences.add(before_section_id=before, after_section_id=after)
+    for left, right in rules.forbidden_joins:
+        request.forbidden_joins.add(left_section_id=left, right_section_id=right)
+    if time_limit is not None:
+        request.options.time_limit.FromTimedelta(time_limit)
+    return request
+
+
+def layout(message: sections_pb2.OrderSectionsResponse) -> Layout:
+    """What came of a request for an order of sections."""
+    order = (
+        PlacedSection(each.section_id, each.copy, _POSES_OF[each.pose], each.x_mm, each.y_mm) for each in message.order
+    )
+    return Layout(
+        tuple(order),
+        message.length_mm,
+        message.bounding_box_length_mm,
+        message.report.lower_bound,
+        message.report.proven_optimal,
+        message.report.solve_duration.ToTimedelta(),
+    )
+
+
+def check_layout_message(
+    request: sections_pb2.OrderSectionsRequest, order: Iterable[PlacedSection], tolerance_mm: float | None
+) -> sections_pb2.CheckSectionsRequest:
+    """A layout to check."""
+    message = sections_pb2.CheckSectionsRequest(request=request, tolerance_mm=tolerance_mm)
+    for each in order:
+        message.order.add(
+            section_id=each.section_id, copy=each.copy, pose=_POSES[each.pose], x_mm=each.x_mm, y_mm=each.y_mm
+        )
+    return message
 
 
 def scene_message(scene: Scene) -> rapid_pb2.Scene:
@@ -88,8 +153,19 @@ def outcome(
 
 
 def check(message: rapid_pb2.CheckRapidMoveResponse) -> Check:
-    """What the checker found."""
-    violations = (
+    """What the checker found of a path."""
+    margin = message.smallest_margin_mm if message.HasField("smallest_margin_mm") else None
+    return Check(_violations(message.violations), message.cost, margin)
+
+
+def layout_check(message: sections_pb2.CheckSectionsResponse) -> Check:
+    """What the checker found of a layout; its cost is the length."""
+    margin = message.smallest_margin_mm if message.HasField("smallest_margin_mm") else None
+    return Check(_violations(message.violations), message.length_mm, margin)
+
+
+def _violations(messages: Iterable[solve_pb2.Violation]) -> tuple[Violation, ...]:
+    return tuple(
         Violation(
             each.field,
             each.reason,
@@ -98,10 +174,8 @@ def check(message: rapid_pb2.CheckRapidMoveResponse) -> Check:
             _point_of(each.at) if each.HasField("at") else None,
             each.obstacle_id,
         )
-        for each in message.violations
+        for each in messages
     )
-    margin = message.smallest_margin_mm if message.HasField("smallest_margin_mm") else None
-    return Check(tuple(violations), message.cost, margin)
 
 
 def limits(message: service_pb2.GetLimitsResponse) -> Limits:
@@ -117,6 +191,9 @@ def limits(message: service_pb2.GetLimitsResponse) -> Limits:
         message.queued_call_count,
         message.default_time_limit.ToTimedelta(),
         message.longest_time_limit.ToTimedelta(),
+        message.section_count,
+        message.part_count,
+        message.join_count,
     )
 
 

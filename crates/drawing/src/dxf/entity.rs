@@ -3,6 +3,7 @@
 use super::blocks::Blocks;
 use super::budget::VertexBudget;
 use super::hatch::{Hatch, read_hatch};
+use super::heights::{Heights, height};
 use super::insert::{Insert, read_insert};
 use super::layers::LayerId;
 use super::polyline::{Polyline, read_lightweight, read_polyline};
@@ -23,6 +24,8 @@ pub(super) struct Entity {
     pub(super) layer: LayerId,
     /// Its own colour.
     pub(super) color: ColorRule,
+    /// Line where it begins, counted from 1; 0 in a binary file.
+    pub(super) line: usize,
     /// Its handle.
     pub(super) handle: Option<NonZeroU64>,
     /// What it is.
@@ -46,7 +49,7 @@ pub(super) enum Kind {
 #[derive(Debug)]
 pub(super) enum Shape {
     /// A segment.
-    Line([Point; 2]),
+    Line(Line),
     /// A circle, an ellipse or an arc of one.
     Round(Round),
     /// Segments and arcs end to end.
@@ -55,7 +58,28 @@ pub(super) enum Shape {
     Spline(Box<Spline>),
 }
 
+/// A segment.
+#[derive(Debug)]
+pub(super) struct Line {
+    /// From where to where.
+    pub(super) ends: [Point; 2],
+    /// Whether one end is higher.
+    pub(super) climbs: bool,
+}
+
 impl Shape {
+    /// What of it the curve does not show.
+    pub(super) fn not_shown(&self) -> Option<WhyUnused> {
+        let (has_width, climbs) = match self {
+            Self::Line(line) => (false, line.climbs),
+            Self::Round(_) => (false, false),
+            Self::Polyline(polyline) => (polyline.has_width, polyline.climbs),
+            Self::Spline(spline) => (false, spline.climbs),
+        };
+        // A band that climbs is a band first.
+        if has_width { Some(WhyUnused::Width) } else { climbs.then_some(WhyUnused::Height) }
+    }
+
     /// How many vertices it comes to at least.
     pub(super) fn vertex_count(&self) -> usize {
         match self {
@@ -87,8 +111,8 @@ pub(super) fn read_entity<'a>(
 ) -> Result<Read<'a>, ReadError> {
     let (name, shape) = match name {
         "LINE" => ("LINE", Ok(read_line(&mut record)?)),
-        "ARC" => ("ARC", Ok(read_arc(&mut record)?)),
-        "CIRCLE" => ("CIRCLE", Ok(read_circle(&mut record)?)),
+        "ARC" => ("ARC", read_arc(&mut record)?),
+        "CIRCLE" => ("CIRCLE", read_circle(&mut record)?),
         "ELLIPSE" => ("ELLIPSE", Ok(read_ellipse(&mut record)?)),
         "LWPOLYLINE" => ("LWPOLYLINE", read_lightweight(&mut record, budget)?),
         "SPLINE" => ("SPLINE", read_spline(&mut record, budget)?),
@@ -150,15 +174,19 @@ fn settled(name: &'static str, shape: ShapeOrWhy, head: &Head<'_>) -> Kind {
 }
 
 fn read_line(record: &mut Record<'_, '_>) -> Result<Shape, ReadError> {
-    let mut ends = [Point::origin(); 2];
+    let (mut ends, mut z) = ([Point::origin(); 2], [0.0; 2]);
     while let Some(group) = record.next_group()? {
         match group.code {
             10 => ends[0].x = group.real()?,
             20 => ends[0].y = group.real()?,
             11 => ends[1].x = group.real()?,
             21 => ends[1].y = group.real()?,
+            30 => z[0] = height(&group),
+            31 => z[1] = height(&group),
             _ => {}
         }
     }
-    Ok(Shape::Line(ends))
+    let mut heights = Heights::default();
+    z.into_iter().for_each(|z| heights.note(z));
+    Ok(Shape::Line(Line { ends, climbs: heights.vary() }))
 }

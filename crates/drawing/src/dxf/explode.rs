@@ -12,7 +12,7 @@ use super::insert::Insert;
 use super::layers::LayerId;
 use super::outline::Outline;
 use super::record::ColorRule;
-use crate::{Color, Curve, Layer, ReadError, ReadOptions, Source, Unused, WhyUnused};
+use crate::{Color, Curve, DrawnGroup, Layer, ReadError, ReadOptions, Source, Unused, WhyUnused};
 use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
@@ -34,6 +34,7 @@ pub(super) fn explode(
         options,
         budget: VertexBudget::new(options.vertex_limit),
         names_left: options.byte_limit,
+        groups_drawn: 0,
         layers: Vec::new(),
         places: vec![None; file.layers.count()],
         unused: BTreeMap::new(),
@@ -69,6 +70,8 @@ struct Explosion<'f> {
     options: &'f ReadOptions,
     budget: VertexBudget,
     names_left: u64,
+    /// Blocks drawn so far that stand in no other.
+    groups_drawn: u32,
     layers: Vec<Layer>,
     /// Of each layer its place in `layers`.
     places: Vec<Option<usize>>,
@@ -86,6 +89,8 @@ impl<'f> Explosion<'f> {
                 if !frame.next_copy() {
                     stack.pop();
                     groups.pop();
+                } else if groups.len() == 1 {
+                    self.groups_drawn += 1;
                 }
                 continue;
             };
@@ -98,6 +103,7 @@ impl<'f> Explosion<'f> {
                     let map = around.after(&insert.placement(0, block.base));
                     let insert = Some((&**insert, around, 0));
                     stack.push(Frame { block, next: 0, map, layer: Some(layer), color, insert });
+                    self.groups_drawn += u32::from(groups.is_empty());
                     groups.push(&block.name);
                 }
                 Kind::Insert(_) => self.count(layer, "INSERT", WhyUnused::UnknownBlock),
@@ -105,6 +111,7 @@ impl<'f> Explosion<'f> {
                     let mut outline = Outline {
                         map: &frame.map,
                         entity: name,
+                        line: entity.line,
                         layer: self.file.layers.name(layer),
                         tolerance_mm: self.options.fit_tolerance_mm,
                         budget: &mut self.budget,
@@ -114,6 +121,9 @@ impl<'f> Explosion<'f> {
                         Some(curve) => {
                             let source = self.source(entity, &groups, color)?;
                             self.keep(layer, Curve { source: Shared::new(source), ..curve });
+                            if let Some(why) = shape.not_shown() {
+                                self.count(layer, name, why);
+                            }
                         }
                     }
                 }
@@ -147,8 +157,10 @@ impl<'f> Explosion<'f> {
         let bytes: u64 = groups.iter().map(|name| NAME_BYTES + name.len() as u64).sum();
         let limit = self.options.byte_limit;
         self.names_left = self.names_left.checked_sub(bytes).ok_or(ReadError::TooMuchNesting { limit })?;
-        let groups = groups.iter().map(|&name| name.to_owned()).collect();
-        Ok(Source { id: entity.handle.map(|handle| format!("{handle:X}")), groups, color })
+        let groups: Vec<String> = groups.iter().map(|&name| name.to_owned()).collect();
+        let number = self.groups_drawn.saturating_sub(1);
+        let drawn_group = (!groups.is_empty()).then_some(DrawnGroup { number, place: 0 });
+        Ok(Source { id: entity.handle.map(|handle| format!("{handle:X}")), groups, drawn_group, color })
     }
 
     fn keep(&mut self, layer: LayerId, curve: Curve) {

@@ -201,7 +201,7 @@ impl<'a> Reader<'a> {
             Place::Nowhere => return Ok(()),
         };
         let layer = layers.id_of(head.layer, *coding);
-        let entity = Entity { layer, color: head.color, handle: head.handle, kind };
+        let entity = Entity { layer, color: head.color, line: opening.line, handle: head.handle, kind };
         blocks.get_mut(id).entities.push(entity);
         Ok(())
     }

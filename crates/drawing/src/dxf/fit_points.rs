@@ -37,7 +37,7 @@ pub(super) fn curve_through(points: &[Point], tangents: [Vector; 2], closed: boo
         knots.extend([at; 3]);
     }
     knots.push(at);
-    Some(Spline { degree: 3, points: controls, weights: Vec::new(), knots, closed })
+    Some(Spline { degree: 3, points: controls, knots, closed, ..Spline::default() })
 }
 
 /// One row of the equations for the derivatives: below·m₋ + middle·m + above·m₊ = right.

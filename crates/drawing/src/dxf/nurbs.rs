@@ -190,6 +190,7 @@ mod tests {
             weights: vec![1.0, root, 1.0, root, 1.0],
             knots: vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0],
             closed: false,
+            climbs: false,
         }
     }
 
@@ -215,7 +216,7 @@ mod tests {
             .map(|(x, y)| Point::new(x, y))
             .to_vec();
         let knots = (0..9).map(f64::from).collect();
-        let spline = Spline { degree: 3, points, weights: Vec::new(), knots, closed: false };
+        let spline = Spline { degree: 3, points, knots, ..Spline::default() };
         assert!(is_consistent(&spline));
         let pieces: Vec<_> = pieces(&spline).collect();
         assert_eq!(pieces.len(), 2);

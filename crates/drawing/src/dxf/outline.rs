@@ -3,7 +3,7 @@
 use super::affine::{Affine, are_equal_and_square};
 use super::budget::VertexBudget;
 use super::chain::Chain;
-use super::entity::Shape;
+use super::entity::{Line, Shape};
 use super::nurbs::pieces;
 use super::polyline::Polyline;
 use super::round::Round;
@@ -25,6 +25,8 @@ pub(super) struct Outline<'a> {
     pub(super) map: &'a Affine,
     /// Type of the entity.
     pub(super) entity: &'static str,
+    /// Line where it begins, counted from 1; 0 in a binary file.
+    pub(super) line: usize,
     /// Name of its layer.
     pub(super) layer: &'a str,
     /// How far arcs may run from ellipses and splines, millimetres.
@@ -40,7 +42,7 @@ impl Outline<'_> {
     /// ellipses and splines, arcs and segments are fitted to each quarter turn and to each stretch between knots.
     pub(super) fn curve(&mut self, shape: &Shape) -> Result<Option<Curve>, ReadError> {
         match shape {
-            Shape::Line([start, end]) => {
+            Shape::Line(Line { ends: [start, end], .. }) => {
                 let (start, end) = (self.point(*start)?, self.point(*end)?);
                 self.chain(start).edge(0.0, end)?.open()
             }
@@ -148,6 +150,7 @@ impl Outline<'_> {
             return Ok(value);
         }
         let layer = self.layer.to_owned();
-        Err(ReadError::NumberOutOfRange { entity: self.entity, layer, field, value, limit })
+        let (line, entity) = (self.line, self.entity);
+        Err(ReadError::NumberOutOfRange { line, entity, layer, field, value, limit })
     }
 }

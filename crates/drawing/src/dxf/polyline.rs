@@ -2,6 +2,8 @@
 
 use super::budget::VertexBudget;
 use super::entity::{Shape, ShapeOrWhy};
+use super::groups::Group;
+use super::heights::{Heights, height};
 use super::record::{Head, Record};
 use crate::{ReadError, WhyUnused};
 use traverse_geometry::Point;
@@ -15,6 +17,10 @@ pub(super) struct Polyline {
     pub(super) closed: bool,
     /// Whether it is given in world coordinates whatever its extrusion: a 3D polyline.
     pub(super) in_space: bool,
+    /// Whether it is a band somewhere, of which the vertices are the centre line.
+    pub(super) has_width: bool,
+    /// Whether its vertices differ in height.
+    pub(super) climbs: bool,
 }
 
 impl Polyline {
@@ -48,10 +54,16 @@ pub(super) fn read_lightweight(
             (10, Some((p, _))) => p.x = group.real()?,
             (20, Some((p, _))) => p.y = group.real()?,
             (42, Some((_, bulge))) => *bulge = group.real()?,
+            (40 | 41 | 43, _) => polyline.has_width |= is_width(&group),
             _ => {}
         }
     }
     Ok(Ok(Shape::Polyline(polyline)))
+}
+
+/// Whether a group says a width that shows. What is no number may be one.
+fn is_width(group: &Group<'_>) -> bool {
+    group.real().unwrap_or(f64::NAN) != 0.0
 }
 
 // Group 70 of a POLYLINE.
@@ -69,26 +81,30 @@ pub(super) fn read_polyline<'a>(
     mut record: Record<'_, 'a>,
     budget: &mut VertexBudget,
 ) -> Result<(Head<'a>, ShapeOrWhy), ReadError> {
-    let mut flags = 0;
+    let (mut flags, mut has_width) = (0, false);
     while let Some(group) = record.next_group()? {
-        if group.code == 70 {
-            flags = group.integer()?;
+        match group.code {
+            70 => flags = group.integer()?,
+            40 | 41 => has_width |= is_width(&group),
+            _ => {}
         }
     }
-    let mut polyline =
-        Polyline { closed: flags & CLOSED != 0, in_space: flags & IN_SPACE != 0, ..Polyline::default() };
-    let mut frame_vertices = 0;
+    let (closed, in_space) = (flags & CLOSED != 0, flags & IN_SPACE != 0);
+    let mut polyline = Polyline { closed, in_space, has_width, ..Polyline::default() };
+    let (mut frame_vertices, mut heights) = (0, Heights::default());
     let head = record.finish_with(|mut vertex| {
         if flags & MESHES != 0 {
             return vertex.finish().map(|_| ());
         }
         polyline.push(budget)?;
-        let mut vertex_flags = 0;
+        let (mut vertex_flags, mut z) = (0, 0.0);
         while let Some(group) = vertex.next_group()? {
             let Some((p, bulge)) = polyline.vertices.last_mut() else { continue };
             match group.code {
                 10 => p.x = group.real()?,
                 20 => p.y = group.real()?,
+                30 => z = height(&group),
+                40 | 41 => polyline.has_width |= is_width(&group),
                 42 if !polyline.in_space => *bulge = group.real()?,
                 70 => vertex_flags = group.integer()?,
                 _ => {}
@@ -97,9 +113,14 @@ pub(super) fn read_polyline<'a>(
         if flags & SPLINE_FIT != 0 && vertex_flags & FRAME != 0 {
             polyline.vertices.pop();
             frame_vertices += 1;
+        } else {
+            heights.note(z);
         }
         Ok(())
     })?;
+    // A line in space has no width, whatever its groups say.
+    polyline.has_width &= !polyline.in_space;
+    polyline.climbs = heights.vary();
     let shape = if flags & MESHES != 0 {
         Err(WhyUnused::Body)
     } else if polyline.vertices.is_empty() && frame_vertices > 0 {

@@ -1,8 +1,8 @@
 //! CIRCLE, ARC and ELLIPSE.
 
-use super::entity::Shape;
+use super::entity::{Shape, ShapeOrWhy};
 use super::record::Record;
-use crate::ReadError;
+use crate::{ReadError, WhyUnused};
 use std::f64::consts::TAU;
 use traverse_geometry::{Point, Vector, left_of, positive_angle};
 
@@ -53,18 +53,18 @@ impl Round {
     }
 }
 
-/// Reads a CIRCLE: centre and radius.
-pub(super) fn read_circle(record: &mut Record<'_, '_>) -> Result<Shape, ReadError> {
+/// Reads a CIRCLE: centre and radius. A negative radius is [`WhyUnused::Inconsistent`].
+pub(super) fn read_circle(record: &mut Record<'_, '_>) -> Result<ShapeOrWhy, ReadError> {
     let round = read_circular(record)?;
-    Ok(Shape::Round(Round { start: 0.0, end: 0.0, ..round }))
+    Ok(round.map(|round| Shape::Round(Round { start: 0.0, end: 0.0, ..round })))
 }
 
 /// Reads an ARC: a CIRCLE with angles in degrees, counter-clockwise. Equal angles are a full circle.
-pub(super) fn read_arc(record: &mut Record<'_, '_>) -> Result<Shape, ReadError> {
-    Ok(Shape::Round(read_circular(record)?))
+pub(super) fn read_arc(record: &mut Record<'_, '_>) -> Result<ShapeOrWhy, ReadError> {
+    Ok(read_circular(record)?.map(Shape::Round))
 }
 
-fn read_circular(record: &mut Record<'_, '_>) -> Result<Round, ReadError> {
+fn read_circular(record: &mut Record<'_, '_>) -> Result<Result<Round, WhyUnused>, ReadError> {
     let (mut center, mut radius, mut start, mut end) = (Point::origin(), 0.0, 0.0_f64, 0.0_f64);
     while let Some(group) = record.next_group()? {
         match group.code {
@@ -76,16 +76,17 @@ fn read_circular(record: &mut Record<'_, '_>) -> Result<Round, ReadError> {
             _ => {}
         }
     }
-    // A negative radius is none.
-    let radius = if radius < 0.0 { 0.0 } else { radius };
-    Ok(Round {
+    if radius < 0.0 {
+        return Ok(Err(WhyUnused::Inconsistent));
+    }
+    Ok(Ok(Round {
         center,
         first: Vector::new(radius, 0.0),
         second: Vector::new(0.0, radius),
         start: start.to_radians(),
         end: end.to_radians(),
         is_ellipse: false,
-    })
+    }))
 }
 
 /// Reads an ELLIPSE: centre, long half axis, the short one's share of it, and where θ begins and ends.

@@ -3,6 +3,7 @@
 use super::budget::VertexBudget;
 use super::entity::{Shape, ShapeOrWhy};
 use super::fit_points::curve_through;
+use super::heights::{Heights, height};
 use super::nurbs::{LARGEST_DEGREE, is_consistent, without_rounding};
 use super::record::Record;
 use crate::{ReadError, WhyUnused};
@@ -21,6 +22,8 @@ pub(super) struct Spline {
     pub(super) knots: Vec<f64>,
     /// Whether it is meant to come back to where it began.
     pub(super) closed: bool,
+    /// Whether its points differ in height.
+    pub(super) climbs: bool,
 }
 
 /// Reads a SPLINE.
@@ -35,7 +38,7 @@ pub(super) fn read_spline(
     let (mut flags, mut degree) = (0, 3);
     let (mut controls, mut through): (Vec<Point>, Vec<Point>) = (Vec::new(), Vec::new());
     let (mut weights, mut knots) = (Vec::new(), Vec::new());
-    let mut tangents = [Vector::zeros(); 2];
+    let (mut tangents, mut heights) = ([Vector::zeros(); 2], Heights::default());
     while let Some(group) = record.next_group()? {
         match group.code {
             70 => flags = group.integer()?,
@@ -51,6 +54,7 @@ pub(super) fn read_spline(
                     point.y = group.real()?;
                 }
             }
+            30 | 31 => heights.note(height(&group)),
             40 => knots.push(group.real()?),
             41 => weights.push(group.real()?),
             12 => tangents[0].x = group.real()?,
@@ -63,7 +67,7 @@ pub(super) fn read_spline(
     let closed = flags & 1 != 0;
     if controls.is_empty() {
         return Ok(match curve_through(&through, tangents, closed) {
-            Some(spline) => Ok(Shape::Spline(Box::new(spline))),
+            Some(spline) => Ok(Shape::Spline(Box::new(Spline { climbs: heights.vary(), ..spline }))),
             None => Err(WhyUnused::NoLength),
         });
     }
@@ -79,7 +83,7 @@ pub(super) fn read_spline(
     if same && weights.len() == controls.len() && weights.first().is_some_and(|&weight| weight > 0.0) {
         weights.clear();
     }
-    let spline = Spline { degree, points: controls, weights, knots, closed };
+    let spline = Spline { degree, points: controls, weights, knots, closed, climbs: heights.vary() };
     Ok(if is_consistent(&spline) {
         Ok(Shape::Spline(Box::new(spline)))
     } else {

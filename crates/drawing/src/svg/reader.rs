@@ -67,6 +67,8 @@ pub fn read_svg(bytes: &[u8], options: &ReadOptions) -> Result<Drawing, ReadErro
         layers: Layers::default(),
         unused: UnusedCount::default(),
         groups: Vec::new(),
+        drawn_group: None,
+        groups_drawn: 0,
         uses: Vec::new(),
     };
     let around = Surroundings {

@@ -12,7 +12,7 @@ use super::style_sheet::StyleSheet;
 use super::transform::transform;
 use super::unused_count::UnusedCount;
 use super::viewport::{into_box, view_box};
-use crate::{Curve, ReadError, ReadOptions, Source, WhyUnused};
+use crate::{Curve, DrawnGroup, ReadError, ReadOptions, Source, WhyUnused};
 use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::sync::Arc as Shared;
@@ -91,6 +91,10 @@ pub(super) struct Walk<'a> {
     pub(super) unused: UnusedCount<'a>,
     /// Names of the groups around.
     pub(super) groups: Vec<&'a str>,
+    /// The outermost of them that is no layer.
+    pub(super) drawn_group: Option<DrawnGroup>,
+    /// How many such groups there were.
+    pub(super) groups_drawn: u32,
     /// What the uses around refer to.
     pub(super) uses: Vec<NodeId>,
 }
@@ -177,10 +181,23 @@ impl<'a> Walk<'a> {
                 (here.layer, here.layer_from) = (self.layers.number(id), LayerFrom::Group);
             }
         }
+        let around = self.drawn_group;
+        if !(group.tag() == "g" && group.is_inkscape_layer()) {
+            self.enter(name);
+        }
         self.groups.extend(name);
         self.children(group, &here, depth)?;
         self.groups.truncate(self.groups.len() - usize::from(name.is_some()));
+        self.drawn_group = around;
         Ok(())
+    }
+
+    /// Notes the outermost group that has a name.
+    fn enter(&mut self, name: Option<&str>) {
+        if name.is_some() && self.drawn_group.is_none() {
+            self.drawn_group = Some(DrawnGroup { number: self.groups_drawn, place: self.groups.len() });
+            self.groups_drawn += 1;
+        }
     }
 
     fn children(&mut self, parent: &Element<'a>, here: &Surroundings, depth: usize) -> Result<(), ReadError> {
@@ -236,6 +253,8 @@ impl<'a> Walk<'a> {
         let corner = Affine::translation(user.length("x", &here.lengths)?, user.length("y", &here.lengths)?);
         here.to_mm = here.to_mm.after(&corner);
         let name = user.label().or_else(|| user.id());
+        let around = self.drawn_group;
+        self.enter(name);
         self.groups.extend(name);
         self.uses.push(target.node.id());
         if matches!(target.tag(), "symbol" | "svg") {
@@ -255,6 +274,7 @@ impl<'a> Walk<'a> {
         }
         self.uses.pop();
         self.groups.truncate(self.groups.len() - usize::from(name.is_some()));
+        self.drawn_group = around;
         Ok(())
     }
 
@@ -265,6 +285,7 @@ impl<'a> Walk<'a> {
         let source = Shared::new(Source {
             id: shape.id().map(str::to_owned),
             groups: self.groups.iter().map(|&name| name.to_owned()).collect(),
+            drawn_group: self.drawn_group,
             color: here.style.drawn_color(),
         });
         let mut drawn = false;

@@ -11,7 +11,7 @@ use super::pair::Pair;
 use super::{Driver, ON_LINE_MM};
 use crate::measure::{AxisTime, Measure};
 use std::ops::ControlFlow;
-use traverse_geometry::{AxisSpeeds, Path, Point, Segment, Vector};
+use traverse_geometry::{AxisSpeeds, Path, PathStep, Point, RapidRules, Segment, Vector};
 use traverse_solve::Interrupt;
 
 /// Most pieces that a straight move is cut into.
@@ -91,6 +91,22 @@ fn corner(speeds: &AxisSpeeds, from: Point, to: Point) -> Point {
     } else {
         Point::new(from.x + speeds.x_mm_per_s * y * by.x.signum(), to.y)
     }
+}
+
+/// The path with every dog-leg as the two straight steps that the machine makes of it; the same where G0 runs straight.
+#[must_use]
+pub fn as_run(path: &Path, rules: &RapidRules) -> Path {
+    let Some(speeds) = rules.dog_leg() else { return path.clone() };
+    let mut run = Path { steps: Vec::new(), ..path.clone() };
+    for step in &path.steps {
+        let from = run.end();
+        let turn = corner(&speeds, from, step.end);
+        if step.arc.is_none() && turn != from && turn != step.end {
+            run.steps.push(PathStep { end: turn, ..*step });
+        }
+        run.steps.push(*step);
+    }
+    run
 }
 
 /// Adds a step, as part of the last one if the machine runs both as one.

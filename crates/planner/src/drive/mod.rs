@@ -8,6 +8,7 @@ mod dog_leg;
 mod pair;
 
 pub(crate) use dog_leg::DogLegTime;
+pub use dog_leg::as_run;
 use pair::Pair;
 
 use crate::barriers::Barriers;

@@ -4,8 +4,11 @@
 //! search first gets there (`sight`, `occlusion`) and kept as links (`link`, `sights`); an edit changes the links that it
 //! concerns when they are next used. A query adds its ends (`growth`) and searches along the links (`scene`).
 
+mod along_links;
+mod best;
 mod growth;
 mod horizon;
+mod label;
 mod link;
 mod nearby;
 mod occlusion;

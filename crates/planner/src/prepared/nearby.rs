@@ -1,6 +1,7 @@
 //! Which obstacles a point may lie in or near.
 
 use crate::barrier::Grid;
+use std::cell::Cell;
 use std::ops::ControlFlow;
 use traverse_geometry::{Bounds, Point};
 
@@ -12,12 +13,37 @@ const WIDE_CELLS: f64 = 64.0;
 pub(crate) struct Nearby {
     boxes: Grid,
     wide: Vec<usize>,
+    /// Per cell whether its middle lies clear of every barrier, as far as that is known.
+    middles: Vec<Cell<Option<bool>>>,
 }
 
 impl Nearby {
     /// Nothing yet, in cells like those of `grid`.
     pub(super) fn like(grid: &Grid) -> Self {
-        Self { boxes: grid.same_cells(), wide: Vec::new() }
+        let [columns, rows] = grid.size();
+        Self { boxes: grid.same_cells(), wide: Vec::new(), middles: vec![Cell::new(None); columns * rows] }
+    }
+
+    /// The middle of the cell that a point lies in, and whether it is clear of every barrier, as far as that is known.
+    pub(crate) fn middle_of(&self, point: Point) -> Option<(Point, &Cell<Option<bool>>)> {
+        let [column, row] = self.boxes.cell_at(point);
+        let [columns, rows] = self.boxes.size();
+        let (column_at, row_at) = (usize::try_from(column).ok()?, usize::try_from(row).ok()?);
+        if column_at >= columns || row_at >= rows {
+            return None;
+        }
+        Some((self.boxes.middle(column, row), &self.middles[row_at * columns + column_at]))
+    }
+
+    /// Forgets whether middles within `bounds` are clear.
+    pub(super) fn forget_middles(&mut self, bounds: &Bounds) {
+        let [columns, rows] = self.boxes.size().map(|count| count as i64);
+        let (low, high) = (self.boxes.cell_at(bounds.min), self.boxes.cell_at(bounds.max));
+        for row in low[1].max(0)..=high[1].min(rows - 1) {
+            for column in low[0].max(0)..=high[0].min(columns - 1) {
+                self.middles[(row * columns + column) as usize].set(None);
+            }
+        }
     }
 
     /// Adds an owner that reaches `bounds`; none: everywhere.

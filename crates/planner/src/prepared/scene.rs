@@ -1,27 +1,22 @@
 //! A scene that is kept for many rapid moves and may change between them.
 
-use super::growth::Growth;
+use super::along_links::{AlongLinks, Room};
 use super::horizon::Horizon;
-use super::link::Link;
 use super::sights::{EditKind, Sights};
 use super::terrain::Terrain;
-use crate::barrier::Side;
 use crate::barriers::{Barriers, Parts, Rings, material_left};
 use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
-use crate::search::{End, Ground, Moves, Room, Route, SeenSearch};
+use crate::search::{End, Route};
 use crate::shortest_route::{MeetingBarriers, ShortestRoute};
 use crate::{Algorithm, Answer, RapidMove, Refusal, Stats};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
-use traverse_geometry::{Obstacle, Point, Polygon, Scene};
+use traverse_geometry::{Obstacle, Polygon, Scene};
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// The start's horizon is made of what stands within so many cells.
 const HORIZON_CELLS: i64 = 3;
-
-/// So many features are offered to the start before a horizon is worked out.
-const OFFERED_WITHOUT_HORIZON: usize = 48;
 
 /// A scene whose removed obstacles make up more than this share of all blockers is taken apart anew.
 const WASTE_RATIO: f64 = 0.5;
@@ -201,39 +196,14 @@ impl ShortestRoute for AlongSights<'_> {
             let ends = [start, target];
             return MeetingBarriers.shortest(barriers, left_out, ends, stats, budget, observer);
         }
-        let growth = Growth::new(start.point, target.point);
-        let moves = Sighted {
-            terrain: self.terrain,
-            sights: self.sights,
-            growth,
-            start,
-            horizon: None,
-            offered_count: 0,
-            waiting: Vec::new(),
-        };
-        let mut search = SeenSearch::new(moves, start, target, std::mem::take(self.room));
+        let mut search = AlongLinks::new(self.terrain, self.sights, [start, target], self.room);
         let found = search.run(budget, &mut stats.expanded_nodes, observer);
-        let lower_bound = search.lower_bound;
-        *self.room = search.into_room();
-        (found, lower_bound)
+        (found, search.lower_bound)
     }
 }
 
-/// What a query moves by.
-struct Sighted<'a> {
-    terrain: &'a Terrain,
-    sights: &'a mut Sights,
-    growth: Growth,
-    start: &'a End,
-    /// Worked out when it begins to pay.
-    horizon: Option<Horizon>,
-    offered_count: usize,
-    /// Features that only dearer paths can touch, with the least cost of such a path.
-    waiting: Vec<(f64, u32)>,
-}
-
 /// The horizon round a point, from what stands nearest to it.
-fn horizon(terrain: &Terrain, end: &End) -> Horizon {
+pub(super) fn horizon(terrain: &Terrain, end: &End) -> Horizon {
     let grid = terrain.parts.whole.grid();
     let aside = end.places.iter().map(|place| (place - end.point).norm()).fold(0.0, f64::max);
     let mut horizon = Horizon::new(end.point, terrain.usual_radius + aside);
@@ -253,51 +223,4 @@ fn horizon(terrain: &Terrain, end: &End) -> Horizon {
         }
     }
     horizon
-}
-
-impl Moves for Sighted<'_> {
-    type Ground = Terrain;
-
-    fn ground(&self) -> &Terrain {
-        self.terrain
-    }
-
-    fn see(&mut self, feature: u32, side: Side, budget: &Budget) -> Result<(), Interrupt> {
-        self.sights.see(self.terrain, feature, side, budget)
-    }
-
-    fn links(&self, feature: u32, side: Side) -> &[Link] {
-        self.sights.links(feature, side)
-    }
-
-    fn is_free(&self, from: Point, to: Point) -> bool {
-        self.terrain.is_free(from, to)
-    }
-
-    fn offer(&mut self, cost: f64, found: &mut Vec<u32>) -> f64 {
-        let mut reached = Vec::new();
-        let offered = self.growth.grow(&self.terrain.layer, cost, &mut reached);
-        if self.horizon.is_none() && self.offered_count + reached.len() > OFFERED_WITHOUT_HORIZON {
-            self.horizon = Some(horizon(self.terrain, self.start));
-        }
-        for feature in reached {
-            let circle = self.terrain.feature(feature);
-            let by = circle.center - self.start.point;
-            let is_hidden =
-                self.horizon.as_ref().is_some_and(|horizon| horizon.hides(by, circle.plan_radius));
-            if !is_hidden && self.terrain.is_there(feature) {
-                self.waiting.push((self.growth.least_cost(circle.center, circle.plan_radius), feature));
-            }
-        }
-        let before = found.len();
-        self.waiting.retain(|&(least, feature)| {
-            let due = least <= offered;
-            if due {
-                found.push(feature);
-            }
-            !due
-        });
-        self.offered_count += found.len() - before;
-        offered
-    }
 }

@@ -8,8 +8,12 @@ use super::occlusion::Occlusion;
 use super::terrain::{Terrain, middle_and_reach};
 use crate::barrier::{Feature, Side};
 use crate::search::{Ground, Sector, Tangent};
-use traverse_geometry::{Point, Vector, left_of};
+use std::f64::consts::TAU;
+use traverse_geometry::{Bounds, Point, Vector, left_of, positive_angle};
 use traverse_solve::{Budget, Interrupt};
+
+/// Sine of half the angle over which a change is looked at by itself, at most.
+const WIDEST_TOWARDS: f64 = 0.6;
 
 /// Wider ranges of directions are looked through in parts, radians.
 const WIDEST_PART_RAD: f64 = 1.5;
@@ -17,9 +21,49 @@ const WIDEST_PART_RAD: f64 = 1.5;
 /// All that can be seen from a feature on one side.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sight {
+    /// By the offsets at which they leave, once sorted.
     pub(super) links: Vec<Link>,
+    is_sorted: bool,
+    /// How far the direction of any link may be off by rounding, radians.
+    angle_error: f64,
     /// Nothing further away than this was looked at: it is hidden. Millimetres.
     pub(super) reach: f64,
+}
+
+impl Sight {
+    /// Adds a link unless it is known: parts that are looked through overlap.
+    pub(super) fn add(&mut self, link: Link) {
+        if !self.links.iter().any(|known| known.leads_where(&link)) {
+            self.links.push(link);
+            self.is_sorted = false;
+        }
+    }
+
+    /// Puts the links in order.
+    pub(super) fn sort(&mut self) {
+        if self.is_sorted {
+            return;
+        }
+        self.is_sorted = true;
+        self.links.sort_unstable_by(|a, b| a.left_at.total_cmp(&b.left_at));
+        self.angle_error = self.links.iter().map(Link::angle_error).fold(0.0, f64::max);
+    }
+
+    /// Shows `visit` the links that leave at `offset` or ahead of it on `side`, and those behind by what their directions
+    /// may be off. From the far end on, so that the ones behind are not touched.
+    pub(super) fn ahead(&self, side: Side, offset: f64, mut visit: impl FnMut(&Link)) {
+        match side {
+            Side::Left => {
+                let ahead =
+                    self.links.iter().rev().take_while(|link| link.left_at >= offset - self.angle_error);
+                ahead.for_each(&mut visit);
+            }
+            Side::Right => {
+                let ahead = self.links.iter().take_while(|link| link.left_at <= offset + self.angle_error);
+                ahead.for_each(&mut visit);
+            }
+        }
+    }
 }
 
 /// Marks of what was looked at; kept from one sight to the next.
@@ -63,7 +107,42 @@ pub(super) fn sight(
         Look { terrain, feature, circle, side, range, sight: &mut sight }.around(looked, budget)?;
     }
     sight.links.shrink_to_fit();
+    sight.sort();
     Ok(sight)
+}
+
+/// Adds to a sight what can be seen where something within `bounds` is gone; false where that is most of it.
+///
+/// # Errors
+/// The budget ended.
+pub(super) fn look_towards(
+    terrain: &Terrain,
+    feature: u32,
+    side: Side,
+    bounds: &Bounds,
+    sight: &mut Sight,
+    looked: &mut Looked,
+    budget: &Budget,
+) -> Result<bool, Interrupt> {
+    let circle = terrain.feature(feature);
+    let (middle, half) = middle_and_reach(bounds);
+    let by = middle - circle.center;
+    // Ways leave the circle to its side.
+    let sine = (half + 2.0 * circle.plan_radius) / by.norm();
+    if sine.is_nan() || sine > WIDEST_TOWARDS {
+        return Ok(false);
+    }
+    let half_angle = sine.asin() + 1e-6;
+    let outward = -left_of(by) * side.sign();
+    let toward = positive_angle(outward.y.atan2(outward.x) - circle.start_angle);
+    for turn in [0.0, -TAU] {
+        let from = (toward + turn - half_angle).max(0.0);
+        let to = (toward + turn + half_angle).min(circle.sweep);
+        if from <= to {
+            Look { terrain, feature, circle, side, range: [from, to], sight }.around(looked, budget)?;
+        }
+    }
+    Ok(true)
 }
 
 /// The link from one feature to another, if there is a tangent that nothing blocks.
@@ -84,7 +163,8 @@ pub(super) fn link(terrain: &Terrain, from: u32, side: Side, to: u32, other_side
         return None;
     }
     let price = along_border.or_else(|| Tangent::between(circle.center, price1, other.center, price2));
-    let length = price.map_or(0.0, |price| price.length);
+    // What both arcs are longer by because the answered way leaves and arrives in a slightly different direction.
+    let length = price.map_or(0.0, |price| price.length + planned.angle_to(&price) * (price1 - price2));
     let mut link = Link::to(to, other_side, planned.angle_error);
     (link.left_at, link.offset, link.length) = (left_at, offset, length);
     Some(link)
@@ -196,22 +276,13 @@ impl Look<'_> {
         let sides = ahead.may_reach(self.side, self.terrain.sector(other));
         for other_side in sides.into_iter().flatten() {
             let Some(link) = link(self.terrain, self.feature, self.side, other, other_side) else { continue };
-            // Parts overlap by a tolerance.
-            if !self.sight.links.iter().any(|known| known.leads_where(&link)) {
-                self.sight.links.push(link);
-            }
+            self.sight.add(link);
         }
     }
 }
 
 /// Whether a barrier within `bounds` may matter to what is seen from a feature.
-pub(super) fn may_matter(
-    terrain: &Terrain,
-    feature: u32,
-    side: Side,
-    reach: f64,
-    bounds: &traverse_geometry::Bounds,
-) -> bool {
+pub(super) fn may_matter(terrain: &Terrain, feature: u32, side: Side, reach: f64, bounds: &Bounds) -> bool {
     let circle = terrain.feature(feature);
     let (middle, half) = middle_and_reach(bounds);
     (middle - circle.center).norm() <= reach + half + circle.plan_radius

@@ -1,7 +1,7 @@
 //! What can be seen from every feature that a search has come by, and how edits change it.
 
 use super::link::Link;
-use super::sight::{Looked, Sight, line, link, may_matter, sight};
+use super::sight::{Looked, Sight, line, link, look_towards, may_matter, sight};
 use super::terrain::Terrain;
 use crate::barrier::Side;
 use traverse_geometry::Bounds;
@@ -65,8 +65,19 @@ impl Sights {
         if let Some(kept) = &mut self.known[at][side as usize]
             && now - kept.edits <= EDITS_KEPT
         {
-            let missed = &self.edits[kept.edits..];
-            if missed.iter().all(|edit| update(terrain, feature, side, &mut kept.sight, edit)) {
+            if now == kept.edits {
+                return Ok(());
+            }
+            let mut is_up_to_date = true;
+            for edit in &self.edits[kept.edits..] {
+                is_up_to_date =
+                    update(terrain, (feature, side), &mut kept.sight, edit, &mut self.looked, budget)?;
+                if !is_up_to_date {
+                    break;
+                }
+            }
+            if is_up_to_date {
+                kept.sight.sort();
                 kept.edits = now;
                 return Ok(());
             }
@@ -77,9 +88,15 @@ impl Sights {
     }
 
     /// The links from a feature that was seen from.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(super) fn links(&self, feature: u32, side: Side) -> &[Link] {
         let kept = self.known.get(feature as usize).and_then(|sides| sides[side as usize].as_ref());
         kept.map_or(&[], |kept| &kept.sight.links)
+    }
+
+    /// What was seen from there, once that was worked out.
+    pub(super) fn sight(&self, feature: u32, side: Side) -> Option<&Sight> {
+        self.known.get(feature as usize)?[side as usize].as_ref().map(|kept| &kept.sight)
     }
 
     /// How many links are kept.
@@ -89,12 +106,23 @@ impl Sights {
 }
 
 /// Takes an edit into a sight; false when it has to be worked out anew.
-fn update(terrain: &Terrain, feature: u32, side: Side, sight: &mut Sight, edit: &Edit) -> bool {
+///
+/// # Errors
+/// The budget ended.
+fn update(
+    terrain: &Terrain,
+    (feature, side): (u32, Side),
+    sight: &mut Sight,
+    edit: &Edit,
+    looked: &mut Looked,
+    budget: &Budget,
+) -> Result<bool, Interrupt> {
     if !may_matter(terrain, feature, side, sight.reach, &edit.bounds) {
-        return true;
+        return Ok(true);
     }
     if edit.kind == EditKind::Removed {
-        return false;
+        sight.links.retain(|kept| terrain.is_there(kept.feature()));
+        return look_towards(terrain, feature, side, &edit.bounds, sight, looked, budget);
     }
     sight.links.retain(|kept| {
         line(terrain, feature, side, kept)
@@ -103,9 +131,10 @@ fn update(terrain: &Terrain, feature: u32, side: Side, sight: &mut Sight, edit: 
     if terrain.there.has(edit.owner) {
         for other in terrain.owned(edit.owner).features.clone() {
             for other_side in [Side::Left, Side::Right] {
-                sight.links.extend(link(terrain, feature, side, other as u32, other_side));
+                let Some(link) = link(terrain, feature, side, other as u32, other_side) else { continue };
+                sight.add(link);
             }
         }
     }
-    true
+    Ok(true)
 }

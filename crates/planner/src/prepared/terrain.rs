@@ -3,10 +3,10 @@
 use super::nearby::Nearby;
 use crate::barrier::{Blocker, Clearance, Feature, Grid, Obstruction, Outline};
 use crate::barriers::{Barriers, Marks, Parts, WORK_AREA};
-use crate::search::{Circles, Ground, Sector, Stretches};
-use std::cell::OnceCell;
+use crate::search::{Circles, Ground, Sector, Stretches, is_same_circle};
+use std::cell::{Cell, OnceCell};
 use std::ops::{ControlFlow, Range};
-use traverse_geometry::{Arc, Bounds, Point, Scene, Segment, Vector};
+use traverse_geometry::{Arc, Bounds, Point, Scene, Segment, Vector, unit};
 use traverse_solve::{Budget, Interrupt};
 
 /// A circle up to this share of a cell enters the grid by its box.
@@ -25,10 +25,44 @@ pub(super) struct Terrain {
     free: Vec<OnceCell<Stretches>>,
     pub(super) there: Marks,
     pub(super) nearby: Nearby,
+    /// Per feature what a search looks at first.
+    spots: Vec<Spot>,
+    /// Per feature whether all of its range is free, as far as that is known.
+    whole: Vec<Cell<Whole>>,
+    /// Per feature whether a path passes from it to another without a straight move.
+    joined: Vec<bool>,
     /// The radius that most features have, millimetres.
     pub(super) usual_radius: f64,
     /// Per owner, the work area's first, what it owns.
     owned: Vec<Owned>,
+}
+
+/// What a search looks at first of a feature.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub(super) center: Point,
+    pub(super) price_radius: f64,
+    /// Radius on the planned path, millimetres.
+    pub(super) plan_radius: f64,
+    start_angle: f64,
+}
+
+impl Spot {
+    /// The point at `offset` on the answered path.
+    pub(super) fn at(&self, offset: f64) -> Point {
+        if self.price_radius == 0.0 {
+            return self.center;
+        }
+        self.center + unit(self.start_angle + offset) * self.price_radius
+    }
+}
+
+/// Whether all of a feature's range is free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Whole {
+    Unknown,
+    Yes,
+    No,
 }
 
 /// What an owner's barrier consists of.
@@ -77,8 +111,22 @@ impl Terrain {
         if scene.work_area.is_some() {
             nearby.push(WORK_AREA, None);
         }
-        let mut terrain =
-            Self { parts, features, layer, sectors, circles, free, there, nearby, usual_radius, owned };
+        let (spots, whole, joined) = (Vec::new(), Vec::new(), Vec::new());
+        let mut terrain = Self {
+            parts,
+            features,
+            layer,
+            sectors,
+            circles,
+            free,
+            there,
+            nearby,
+            spots,
+            whole,
+            joined,
+            usual_radius,
+            owned,
+        };
         for feature in 0..terrain.features.len() {
             terrain.place(feature);
         }
@@ -108,7 +156,7 @@ impl Terrain {
         self.there.push(true);
         self.nearby.push(owner, owned.bounds.as_ref());
         if let Some(bounds) = owned.bounds {
-            self.forget_stretches(&bounds);
+            self.forget_within(&bounds);
         }
         self.owned.push(owned);
     }
@@ -117,7 +165,7 @@ impl Terrain {
     pub(super) fn remove(&mut self, owner: usize) {
         self.there.set(owner, false);
         if let Some(bounds) = self.owned(owner).bounds {
-            self.forget_stretches(&bounds);
+            self.forget_within(&bounds);
         }
     }
 
@@ -139,6 +187,29 @@ impl Terrain {
     /// Whether a feature's owner is there.
     pub(super) fn is_there(&self, feature: u32) -> bool {
         self.there.has(self.features[feature as usize].owner)
+    }
+
+    /// What a search looks at first of a feature.
+    pub(super) fn spot(&self, feature: u32) -> &Spot {
+        &self.spots[feature as usize]
+    }
+
+    /// Whether all of a feature's range is free.
+    pub(super) fn is_whole(&self, feature: u32) -> bool {
+        match self.whole[feature as usize].get() {
+            Whole::Yes => true,
+            Whole::No => false,
+            Whole::Unknown => {
+                let is_whole = self.stretches(feature).free == [(0.0, self.features[feature as usize].sweep)];
+                self.whole[feature as usize].set(if is_whole { Whole::Yes } else { Whole::No });
+                is_whole
+            }
+        }
+    }
+
+    /// Whether a path may pass from a feature to another without a straight move.
+    pub(super) fn is_joined(&self, feature: u32) -> bool {
+        self.joined[feature as usize]
     }
 
     /// Whether nothing blocks the straight move.
@@ -176,17 +247,30 @@ impl Terrain {
         } else {
             Arc::from_angles(feature.center, feature.plan_radius, feature.start_angle, feature.sweep).bounds()
         };
+        let Feature { center, price_radius, plan_radius, start_angle, .. } = *feature;
+        self.spots.push(Spot { center, price_radius, plan_radius, start_angle });
+        let mut is_joined = feature.before.is_some() || feature.after.is_some();
+        for other in self.circles.near(feature) {
+            if is_same_circle(feature, &self.features[other as usize]) {
+                is_joined = true;
+                self.joined[other as usize] = true;
+            }
+        }
+        self.joined.push(is_joined);
+        self.whole.push(Cell::new(Whole::Unknown));
         self.circles.push(feature);
         self.sectors.push(Sector::of(feature));
         self.layer.insert_box(index as u32, &bounds, 0.0);
         self.free.push(OnceCell::new());
     }
 
-    /// Forgets what was known of arcs that reach into `bounds`.
-    fn forget_stretches(&mut self, bounds: &Bounds) {
-        let free = &mut self.free;
+    /// Forgets what was known of arcs and of points within `bounds`.
+    fn forget_within(&mut self, bounds: &Bounds) {
+        self.nearby.forget_middles(bounds);
+        let (free, whole) = (&mut self.free, &self.whole);
         let _ = self.layer.within(bounds, |feature| {
             free[feature as usize].take();
+            whole[feature as usize].set(Whole::Unknown);
             ControlFlow::Continue(())
         });
     }

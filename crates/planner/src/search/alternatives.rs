@@ -132,7 +132,8 @@ impl Ways<'_> {
             stats.expanded_nodes += 1;
             self.trails.push(trail);
             self.forth.tree.reach_for_target(&self.forth.known, stance);
-            self.forth.connect(stance, 0..self.forth.known.features.len(), budget)?;
+            let (features, bundles) = (0..self.forth.known.features.len(), 0..self.forth.known.bundles.len());
+            self.forth.connect(stance, &features, bundles, budget)?;
         }
         Ok(())
     }

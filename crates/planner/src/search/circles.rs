@@ -31,7 +31,7 @@ impl Circles {
 }
 
 /// Whether two features lie on the same circle.
-pub(super) fn is_same_circle(a: &Feature, b: &Feature) -> bool {
+pub(crate) fn is_same_circle(a: &Feature, b: &Feature) -> bool {
     a.plan_radius > 0.0
         && (a.plan_radius - b.plan_radius).abs() < CONTACT_TOLERANCE_MM / 2.0
         && (a.center - b.center).norm() < CONTACT_TOLERANCE_MM / 2.0

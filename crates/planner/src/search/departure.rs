@@ -41,6 +41,7 @@ impl Departure {
     }
 
     /// The offset at which `link` leaves the feature, if the free way along the arc leads there.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(super) fn leaves_along(&self, link: &Link) -> Option<f64> {
         let back = (self.offset - link.left_at) * self.lane.side.sign();
         let is_rounding = back > 0.0 && back <= link.angle_error().max(self.circle.offset_tolerance());

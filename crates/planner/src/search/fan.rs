@@ -128,7 +128,8 @@ impl<'a> Fan<'a> {
         }
         let Some(stance) = search.tree.stand(&search.known, &label) else { return Ok(None) };
         *steps += 1;
-        search.connect(stance, 0..search.known.features.len(), budget)?;
+        let (features, bundles) = (0..search.known.features.len(), 0..search.known.bundles.len());
+        search.connect(stance, &features, bundles, budget)?;
         Ok(Some(stance))
     }
 

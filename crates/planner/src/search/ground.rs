@@ -79,7 +79,7 @@ impl Stretches {
     }
 
     /// The free stretch that holds `offset` within `tolerance`, if any.
-    pub(super) fn at(&self, offset: f64, tolerance: f64) -> Option<usize> {
+    pub(crate) fn at(&self, offset: f64, tolerance: f64) -> Option<usize> {
         self.free.iter().position(|&(from, to)| from - tolerance <= offset && offset <= to + tolerance)
     }
 }

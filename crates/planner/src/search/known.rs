@@ -1,5 +1,6 @@
 //! The barriers that a search has met so far. Those that it has not met bend no path; they block all the same.
 
+use super::bundles::Bundles;
 use super::circles::Circles;
 use super::sector::Sector;
 use super::{Ground, Stretches};
@@ -25,6 +26,7 @@ pub(crate) struct Known<'a> {
     pub(crate) features: Vec<Feature>,
     /// Their directions, for the quick test.
     sectors: Vec<Sector>,
+    pub(super) bundles: Bundles,
     /// Per feature the stretches of its range that nothing blocks, worked out when first asked for.
     free: Vec<OnceCell<Stretches>>,
     circles: Circles,
@@ -34,6 +36,8 @@ pub(crate) struct Known<'a> {
 pub(crate) struct Met {
     /// Its features.
     pub(crate) features: Range<usize>,
+    /// Their bundles.
+    pub(crate) bundles: Range<usize>,
     /// Whether any of them lies on the circle of another.
     pub(crate) has_same_circles: bool,
 }
@@ -59,6 +63,7 @@ impl<'a> Known<'a> {
             met: Marks::of(barriers.scene.obstacles.len(), false),
             features: Vec::new(),
             sectors: Vec::new(),
+            bundles: Bundles::default(),
             free: Vec::new(),
             circles: Circles::default(),
         }
@@ -92,9 +97,12 @@ impl<'a> Known<'a> {
         }
         self.free.resize_with(self.features.len(), OnceCell::new);
         let features = first..self.features.len();
+        let bundles = self.bundles.len();
+        self.bundles.push(&self.features, features.clone());
+        let bundles = bundles..self.bundles.len();
         let has_same_circles =
             features.clone().any(|feature| self.on_same_circle(feature as u32).next().is_some());
-        Ok(Met { features, has_same_circles })
+        Ok(Met { features, bundles, has_same_circles })
     }
 
     /// What lies in the way from `from` to `to`.

@@ -25,6 +25,7 @@ pub(crate) enum Step {
     /// Along a tangent.
     Tangent,
     /// Along a tangent that is known to be free.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     Link,
     /// Without a straight move: the feature before goes over into this one.
     Over,

@@ -6,6 +6,7 @@
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
 mod alternatives;
+mod bundles;
 mod circles;
 mod departure;
 mod end;
@@ -25,7 +26,7 @@ mod trail;
 mod tree;
 
 pub(crate) use alternatives::locally_shortest;
-pub(crate) use circles::Circles;
+pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 #[cfg(test)]
 pub(crate) use fan::Turn;
@@ -35,7 +36,9 @@ pub(crate) use known::Known;
 use known::Way;
 pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
-pub(crate) use seen::{Moves, SeenSearch};
+#[allow(unused_imports, reason = "for searches from one end to many")]
+pub(crate) use seen::Moves;
 pub(crate) use shortest::Search;
 pub(crate) use tangent::Tangent;
+#[allow(unused_imports, reason = "for searches from one end to many")]
 pub(crate) use tree::Room;

@@ -39,6 +39,7 @@ impl Settled {
     }
 
     /// Forgets what was settled at a feature.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(super) fn forget(&mut self, feature: u32) {
         self.0[feature as usize].iter_mut().for_each(Vec::clear);
     }

@@ -10,7 +10,8 @@
 //! barriers are met, and the first path to the target is the shortest. Estimates are lower bounds of the optimum
 //! whenever they come up.
 //!
-//! Cost: each expanded label meets every feature once; a test costs about log n.
+//! Cost: each expanded label meets every barrier once, and of its features those that a tangent may reach, by bundles; a test
+//! costs about log n.
 
 use super::label::{Label, Place, Route};
 use super::route::route;
@@ -89,38 +90,48 @@ impl<'a, M: Measure> Search<'a, M> {
             let Some(stance) = self.tree.stand(&self.known, &label) else { continue };
             *steps += 1;
             self.tree.reach_for_target(&self.known, stance);
-            self.connect(stance, 0..self.known.features.len(), budget)?;
+            let (features, bundles) = (0..self.known.features.len(), 0..self.known.bundles.len());
+            self.connect(stance, &features, bundles, budget)?;
         }
         Ok(None)
     }
 
-    /// Offers a stance some features, and what its own goes over into, as far as it is among them.
+    /// Offers a stance the features of some bundles, and what its own goes over into, as far as it is among `features`.
     pub(super) fn connect(
         &mut self,
         stance: u32,
-        features: Range<usize>,
+        features: &Range<usize>,
+        bundles: Range<usize>,
         budget: &Budget,
     ) -> Result<(), Interrupt> {
         self.tree.push_over(&self.known, stance, |other| features.contains(&(other as usize)));
-        for part in features.start / FEATURES_BETWEEN_CHECKS..=features.end / FEATURES_BETWEEN_CHECKS {
-            let first = part * FEATURES_BETWEEN_CHECKS;
-            budget.check(0)?;
-            self.push_tangents(
-                stance,
-                first.max(features.start)..features.end.min(first + FEATURES_BETWEEN_CHECKS),
-            );
-        }
-        Ok(())
+        self.push_tangents(stance, bundles, budget)
     }
 
-    /// Offers a stance tangents to features.
-    fn push_tangents(&mut self, stance: u32, features: Range<usize>) {
+    /// Offers a stance tangents to the features of some bundles.
+    fn push_tangents(
+        &mut self,
+        stance: u32,
+        bundles: Range<usize>,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
         let (side, ahead) = self.tree.ahead[stance as usize];
-        for other in features.start as u32..features.end as u32 {
-            for side in ahead.may_reach(side, self.known.sector(other)).into_iter().flatten() {
-                self.tree.push_tangent(&self.known, stance, other, side);
+        let Range { start: mut at, end } = bundles;
+        let mut looked_at = 0;
+        while let Some((features, next)) = self.known.bundles.next_reached(at, end, &ahead, side) {
+            at = next;
+            looked_at += features.len();
+            if looked_at > FEATURES_BETWEEN_CHECKS {
+                budget.check(0)?;
+                looked_at = 0;
+            }
+            for other in features {
+                for side in ahead.may_reach(side, self.known.sector(other)).into_iter().flatten() {
+                    self.tree.push_tangent(&self.known, stance, other, side);
+                }
             }
         }
+        Ok(())
     }
 
     /// Whether nothing is in the way of the straight move that leads to the label. Meets what is.
@@ -162,9 +173,9 @@ impl<'a, M: Measure> Search<'a, M> {
         let is_small = met.features.len() <= SMALL_BARRIER && !met.has_same_circles;
         for stance in 0..self.tree.stances.len() as u32 {
             if is_small {
-                self.push_tangents(stance, met.features.clone());
+                self.push_tangents(stance, met.bundles.clone(), budget)?;
             } else {
-                self.connect(stance, met.features.clone(), budget)?;
+                self.connect(stance, &met.features, met.bundles.clone(), budget)?;
             }
             if stance.is_multiple_of(STANCES_BETWEEN_CHECKS) {
                 budget.check(0)?;

@@ -64,17 +64,13 @@ impl<M: Measure> Tree<'_, M> {
         if !self.measure.admits(circle.owner, side) {
             return;
         }
-        let mut along_border = None;
         if let From::Feature(departure) = from {
             let lane = departure.lane;
             if lane.feature == other || lane.side == side && ground.goes_over(lane.feature, other) {
                 return;
             }
-            if lane.side == side {
-                along_border = ground.along_border(lane.feature, other, side).map(Leg::as_planned);
-            }
         }
-        let Some(leg) = along_border.or_else(|| from.leg_to(circle, side, self.start.point)) else { return };
+        let Some(leg) = self.leg_to(ground, from, other, side) else { return };
         let Some(offset) = circle.offset_of(-leg.planned.normal * side.sign(), leg.planned.angle_error)
         else {
             return;

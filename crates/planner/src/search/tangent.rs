@@ -5,7 +5,7 @@
 //! iff |ρ2 − ρ1| does not exceed the distance d of the centres, and is sqrt(d² − (ρ2 − ρ1)²) long: the outer one
 //! for equal sides, the inner one for different ones.
 
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector, left_of};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector, cross, left_of};
 
 /// No direction is known better than this, radians.
 const LEAST_ANGLE_ERROR_RAD: f64 = 1e-13;
@@ -29,6 +29,11 @@ impl Tangent {
     /// From a point to itself.
     pub(crate) fn nowhere(at: Point) -> Self {
         Self { from: at, to: at, normal: Vector::zeros(), length: 0.0, angle_error: 0.0 }
+    }
+
+    /// By which angle `other`, which hardly differs, turns counter-clockwise from this one, radians.
+    pub(crate) fn angle_to(&self, other: &Self) -> f64 {
+        cross(self.normal, other.normal).atan2(self.normal.dot(&other.normal))
     }
 
     /// From one point to another, where the direction is known better than from both.

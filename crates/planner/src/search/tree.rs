@@ -58,6 +58,7 @@ impl<'a, M: Measure> Tree<'a, M> {
     }
 
     /// Gives its memory back, empty.
+    #[allow(dead_code, reason = "for searches from one end to many")]
     pub(crate) fn into_room(self) -> Room {
         let Self { mut labels, mut stances, mut ahead, mut open, mut settled, .. } = self;
         for stance in &stances {
@@ -149,11 +150,22 @@ impl<'a, M: Measure> Tree<'a, M> {
         let from = &self.stances[label.parent as usize].from;
         match label.place {
             Place::Start(_) => None,
-            Place::Feature(feature, side) => from.leg_to(ground.feature(feature), side, self.start.point),
+            Place::Feature(feature, side) => self.leg_to(ground, from, feature, side),
             Place::Target(place) => {
                 from.leg_to_end(self.target.places[place as usize], self.target.point, self.start.point)
             }
         }
+    }
+
+    /// Straight to a feature, which lies on `side`: along the border where that leads there.
+    pub(super) fn leg_to(&self, ground: &impl Ground, from: &From, feature: u32, side: Side) -> Option<Leg> {
+        if let From::Feature(departure) = from
+            && departure.lane.side == side
+            && let Some(along) = ground.along_border(departure.lane.feature, feature, side)
+        {
+            return Some(Leg::as_planned(along));
+        }
+        from.leg_to(ground.feature(feature), side, self.start.point)
     }
 
     /// Outward direction of a label's feature on the answered path at arrival.

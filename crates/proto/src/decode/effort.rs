@@ -19,7 +19,8 @@ pub fn rules_time_limit(rules: Option<&v1::RapidRules>) -> Option<Duration> {
     duration(limit)
 }
 
-fn duration(wire: &prost_types::Duration) -> Option<Duration> {
+/// The duration, if it is a sound one.
+pub(crate) fn duration(wire: &prost_types::Duration) -> Option<Duration> {
     let nanos = u32::try_from(wire.nanos).ok().filter(|&nanos| nanos < 1_000_000_000)?;
     Some(Duration::new(u64::try_from(wire.seconds).ok()?, nanos))
 }

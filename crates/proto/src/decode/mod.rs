@@ -1,19 +1,25 @@
 //! From the wire to the domain: once, validated, with every finding, or refused.
 
 mod check;
+mod check_sections;
 mod cost;
 mod effort;
+mod layout;
 mod number;
+mod order;
 mod path;
 mod plan;
 mod reader;
 mod rules;
 mod scene;
+mod section;
 mod shape;
 mod tool_change;
 
 pub use check::CheckQuestion;
+pub use check_sections::{CheckSectionsQuestion, order_from_wire};
 pub use effort::{requested_time_limit, rules_time_limit};
+pub use order::{OrderQuestion, OrderReturns, requested_order_time_limit};
 pub use path::path_from_wire;
 pub use plan::PlanQuestion;
 pub use tool_change::ToolChangeQuestion;

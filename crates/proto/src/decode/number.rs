@@ -47,7 +47,8 @@ impl Reader<'_> {
             return Some(value);
         }
         let message = format!(
-            "{value} mm is beyond ±{COORDINATE_LIMIT_MM} mm; move the drawing towards the origin or check its unit"
+            "{} mm is beyond ±{COORDINATE_LIMIT_MM} mm; move the drawing towards the origin or check its unit",
+            shown(value)
         );
         self.report(Finding::new(field, Reason::CoordinateTooLarge, value, message));
         None
@@ -62,5 +63,25 @@ impl Reader<'_> {
         let x = self.coordinate(&format!("{field}.x_mm"), x_mm);
         let y = self.coordinate(&format!("{field}.y_mm"), y_mm);
         Some(Point::new(x?, y?))
+    }
+}
+
+/// Numbers from here on are written with their power of ten.
+const LARGEST_WRITTEN_OUT: f64 = 1e15;
+
+/// A finite number in a few letters.
+fn shown(value: f64) -> String {
+    if value.abs() >= LARGEST_WRITTEN_OUT { format!("{value:e}") } else { value.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_numbers_take_few_letters() {
+        assert_eq!(shown(-1e308), "-1e308");
+        assert_eq!(shown(1_000_000.5), "1000000.5");
+        assert_eq!(shown(999_999_999_999_999.0), "999999999999999");
     }
 }

@@ -1,9 +1,9 @@
-//! CheckRapidMove's answer.
+//! The checker's answers.
 
 use super::path::point;
 use super::plan::cost_unit;
 use crate::v1;
-use traverse_checker::{PathCheck, Violation};
+use traverse_checker::{PathCheck, SectionsCheck, Violation};
 
 /// The checker's findings as their message.
 #[must_use]
@@ -14,6 +14,16 @@ pub fn check_answer(check: &PathCheck) -> v1::CheckRapidMoveResponse {
         smallest_margin_mm: check.smallest_margin_mm,
         clearance_mm: check.clearance_mm,
         cost_unit: cost_unit(check.cost_unit).into(),
+    }
+}
+
+/// The checker's findings about a layout as their message.
+#[must_use]
+pub fn check_sections_answer(check: &SectionsCheck) -> v1::CheckSectionsResponse {
+    v1::CheckSectionsResponse {
+        violations: check.violations.iter().map(violation).collect(),
+        length_mm: check.length_mm,
+        smallest_margin_mm: check.smallest_margin_mm,
     }
 }
 

@@ -7,7 +7,7 @@
 //! of a path through a depot gives the same: that is what the ladder does instead of q solves.
 
 use crate::cost::{FORBIDDEN, LARGEST_COST};
-use crate::options::{Method, SolveOptions};
+use crate::options::SolveOptions;
 use crate::{CostMatrix, Finding, TourSpecification, solve};
 use traverse_solve::{Budget, Silent};
 
@@ -37,7 +37,7 @@ impl SectionModel {
 
 /// The order of sections with the largest sum of effects and that sum, each section held at the end in turn.
 /// `effects` row by row, [`FORBIDDEN`] where a join is; the diagonal means nothing. Nothing when the budget ends
-/// before the first order, or there is none.
+/// before the first order, or there is none. `options` say by which method, `heard` is called with every better order.
 ///
 /// # Errors
 /// Effects that are not a square matrix, or too large for exact sums.
@@ -45,8 +45,9 @@ pub fn order_with_every_end(
     effects: &[i64],
     sections: usize,
     model: SectionModel,
-    method: Method,
+    options: &SolveOptions,
     budget: &Budget,
+    heard: &mut dyn FnMut(&[usize], i64),
 ) -> Result<Option<(Vec<usize>, i64)>, Vec<Finding>> {
     if effects.len() != sections.saturating_mul(sections) {
         return Err(vec![Finding::EntryCount { size: sections, entries: effects.len() }]);
@@ -56,7 +57,6 @@ pub fn order_with_every_end(
     let costs: Vec<i64> = (0..effects.len())
         .map(|at| if joined(at) { model.cost(effects[at], sections as i64, largest) } else { FORBIDDEN })
         .collect();
-    let options = SolveOptions { method, ..SolveOptions::default() };
     let mut best: Option<(Vec<usize>, i64)> = None;
     for end in 0..sections {
         let mut opened = costs.clone();
@@ -67,10 +67,11 @@ pub fn order_with_every_end(
             last: Some(end),
             ..TourSpecification::cycle(CostMatrix::new(sections, opened)?)
         };
-        let answer = solve(&specification, &options, budget, &mut Silent)?;
+        let answer = solve(&specification, options, budget, &mut Silent)?;
         if let Some(tour) = answer.tour {
             let saved = tour.visits.windows(2).map(|pair| effects[pair[0] * sections + pair[1]]).sum();
             if best.as_ref().is_none_or(|best| saved > best.1) {
+                heard(&tour.visits, saved);
                 best = Some((tour.visits, saved));
             }
         }

@@ -29,6 +29,9 @@ ANNOTATIONS = frozenset(
 
 _DEEPEST_BLOCK = 16
 
+_IN_A_PLANE = (Circle, Ellipse, LWPolyline, Polyline, Spline)
+"""Arcs are circles here."""
+
 
 def flat(
     entities: Iterable[DXFEntity], depth: int = 0, layer_of_block: str | None = None
@@ -39,11 +42,17 @@ def flat(
     for entity in entities:
         layer = entity.dxf.get("layer", "0")
         layer = layer_of_block if layer == "0" and layer_of_block is not None else layer
-        if isinstance(entity, Insert):
+        if isinstance(entity, Insert) and _is_in_file(entity):
             for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
                 yield from flat(_parts(insert), depth + 1, layer)
         else:
             yield layer, entity
+
+
+def _is_in_file(insert: Insert) -> bool:
+    """Whether the file holds its block: it may be missing, or lie in another file."""
+    layout = insert.block()
+    return layout is not None and layout.block is not None and not layout.block.is_xref
 
 
 def _parts(insert: Insert) -> Iterator[DXFEntity]:
@@ -55,12 +64,13 @@ def _parts(insert: Insert) -> Iterator[DXFEntity]:
 
 def path_of(entity: DXFEntity, scale: float, tolerance_mm: float) -> Path | None:
     """The path along ``entity``; None when it is no curve in the plane. ``scale``: millimetres in a unit."""
-    plane = _Plane.of(entity, scale)
-    if plane is None:
-        return None
     if isinstance(entity, Line):
         # Lines are in world coordinates, whatever their extrusion says.
         return Path.begin(_scaled(entity.dxf.start, scale)).line_to(_scaled(entity.dxf.end, scale))
+    # Other types have no extrusion to be asked for.
+    plane = _Plane.of(entity, scale) if isinstance(entity, _IN_A_PLANE) else None
+    if plane is None:
+        return None
     if isinstance(entity, DxfArc):  # before Circle, which it is a kind of
         sweep = math.radians(entity.dxf.end_angle - entity.dxf.start_angle) % (2 * math.pi) or 2 * math.pi
         return plane.arc(entity.start_point, entity.end_point, entity.dxf.center, sweep)
@@ -90,7 +100,7 @@ class _Plane:
     def of(entity: DXFEntity, scale: float) -> _Plane | None:
         """None: drawn in another plane."""
         extrusion = Vec3(entity.dxf.get("extrusion", (0, 0, 1))).normalize()
-        if not isinstance(entity, Line) and math.hypot(extrusion.x, extrusion.y) > 1e-9:
+        if math.hypot(extrusion.x, extrusion.y) > 1e-9:
             return None
         return _Plane(OCS(extrusion), extrusion.z < 0, scale)
 

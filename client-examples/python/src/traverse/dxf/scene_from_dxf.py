@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import Counter, defaultdict
+from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path as File
+from typing import Literal
 
 import ezdxf.filemanagement
 from ezdxf.document import Drawing
+from ezdxf.entities.dxfentity import DXFEntity
 
 from ..path import Path
 from ..ring import Ring
@@ -15,13 +20,21 @@ from ..scene import Obstacle, Polygon, Scene
 from .chain import Chain, join
 from .entity import ANNOTATIONS, flat, path_of
 from .nesting import nested
+from .simplified import is_band, is_flattened
 
 WORK_AREA_LAYERS = frozenset({"WORK_AREA", "WORKAREA", "TABLE"})
 
 _MILLIMETRES = {
-    0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 9: 0.0254, 10: 914.4, 13: 0.001, 14: 100.0
+    1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 9: 0.0254, 10: 914.4, 13: 0.001, 14: 100.0
 }  # fmt: skip
-"""In one unit, by $INSUNITS; 0 names none and is taken as millimetres."""
+"""In one unit, by $INSUNITS; 0 names none."""
+
+Unit = Literal["mm", "inch"]
+
+_BY_NAME: dict[Unit, float] = {"mm": 1.0, "inch": 25.4}
+
+_NAMES_UNIT = re.compile(rb"(?:^|[\r\n])[ \t]*9[ \t]*\r?\n[ \t]*\$INSUNITS[ \t]*\r?\n|\x09\x00?\$INSUNITS\x00")
+"""Group 9, only found in headers, as text or binary. ezdxf fills in what a file without header does not say: metres."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +45,11 @@ class SceneFromDxf:
     unused: tuple[str, ...]
     """For people: what a tool could meet and is not in the scene, such as open chains. Empty: all was used."""
     annotations: tuple[str, ...]
-    """For people: texts, dimensions and the like, counted."""
+    """For people: texts, dimensions and the like, and what climbs and is taken as seen from above, counted."""
+    millimetres: float
+    """In one unit of the file."""
+    unit_assumed: bool
+    """Whether the file names no unit, so that ``unit`` was taken."""
 
 
 def read_scene(
@@ -42,6 +59,7 @@ def read_scene(
     work_area_clearance_mm: float | None = None,
     join_mm: float = 0.01,
     tolerance_mm: float = 0.001,
+    unit: Unit = "mm",
 ) -> SceneFromDxf:
     """Reads a scene: the layers WORK_AREA, WORKAREA or TABLE bound the work area, all others hold obstacles.
 
@@ -50,11 +68,14 @@ def read_scene(
 
     join_mm: ends of lines that are no farther apart are joined.
     tolerance_mm: how far chords may leave splines and ellipses, to either side; circles and arcs stay exact.
+    unit: of a file that names none.
     Raises ValueError when the work area is not one outline or the unit is no length, ezdxf.DXFError and OSError when
     the file can't be read.
     """
     document = ezdxf.filemanagement.readfile(file)
-    layers, unused, annotations = _layers(document, tolerance_mm)
+    stated = _stated_millimetres(document, file)
+    millimetres = stated or _BY_NAME[unit]
+    layers, unused, annotations = _layers(flat(document.modelspace()), millimetres, tolerance_mm)
     areas: list[Polygon] = []
     obstacles: list[Obstacle] = []
     for layer, paths in layers.items():
@@ -75,29 +96,44 @@ def read_scene(
         work_area=areas[0] if areas else None,
         work_area_clearance_mm=work_area_clearance_mm,
     )
-    return SceneFromDxf(scene, tuple(unused), tuple(annotations))
+    return SceneFromDxf(scene, tuple(unused), tuple(annotations), millimetres, stated is None)
 
 
-def _layers(document: Drawing, tolerance_mm: float) -> tuple[dict[str, list[Path]], list[str], list[str]]:
-    """Curves by layer in the order in which they were drawn, what is no curve, and annotations."""
+def _stated_millimetres(document: Drawing, file: str | os.PathLike[str]) -> float | None:
+    """In one unit, as the file itself says; None when it names no unit."""
     unit = int(document.units)
+    if unit == 0 or not _NAMES_UNIT.search(File(file).read_bytes()):
+        return None
     if unit not in _MILLIMETRES:
         raise ValueError(f"$INSUNITS is {unit}: no length that a machine works in")
+    return _MILLIMETRES[unit]
+
+
+def _layers(
+    entities: Iterable[tuple[str, DXFEntity]], millimetres: float, tolerance_mm: float
+) -> tuple[dict[str, list[Path]], list[str], list[str]]:
+    """Curves by layer in the order in which they were drawn, what a tool could meet beside them, and what it can't."""
     layers: defaultdict[str, list[Path]] = defaultdict(list)
     dropped: Counter[str] = Counter()
     annotations: Counter[str] = Counter()
-    for layer, entity in flat(document.modelspace()):
-        path = path_of(entity, _MILLIMETRES[unit], tolerance_mm)
-        if path is not None:
-            layers[layer].append(path)
-        else:
+    for layer, entity in entities:
+        name = f"layer {layer}: {entity.dxftype()}"
+        path = path_of(entity, millimetres, tolerance_mm)
+        if path is None:
             what = annotations if entity.dxftype() in ANNOTATIONS else dropped
-            what[f"layer {layer}: {entity.dxftype()}"] += 1
+            what[f"{name}, {{}} not read"] += 1
+            continue
+        layers[layer].append(path)
+        if is_band(entity):
+            dropped[f"{name}, {{}} with a width: only the centre line is read; draw the band's outline"] += 1
+        if is_flattened(entity):
+            annotations[f"{name}, {{}} at varying height: taken as seen from above"] += 1
     return dict(layers), _counted(dropped), _counted(annotations)
 
 
 def _counted(what: Counter[str]) -> list[str]:
-    return [f"{name}, {count} not read" for name, count in sorted(what.items())]
+    # Layers are named by others: their braces are no places for the count.
+    return [str(count).join(words.rsplit("{}", 1)) for words, count in sorted(what.items())]
 
 
 def _gap(chain: Chain) -> str:

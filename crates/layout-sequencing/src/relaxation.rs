@@ -1,0 +1,208 @@
+//! The order by neighbours alone: a path through the kinds, each as often as it has copies, at the least sum of offsets
+//! in any poses. With kept order its length bounds every layout; its duals are the certificate.
+//!
+//! Up to some hundred copies the ladder of tours proves it; thousands are searched with joins computed on demand.
+
+use crate::certificate::{BoundCertificate, JoinDuals};
+use crate::instance::Instance;
+use crate::offsets::filled;
+use crate::progress::{BoundsOnly, Progress};
+use crate::sampled_borders::SampledBorders;
+use traverse_geometry::SlideRule;
+use traverse_solve::{Budget, Interrupt, Observer, Seed, Silent};
+use traverse_tours::{
+    Certificate, CostMatrix, Costs, Ending, FORBIDDEN, LazyAnswer, Shape, SolveOptions, TourAnswer,
+    TourSpecification, search_lazily, solve, verify_certificate,
+};
+
+/// The most copies that the ladder takes; with precedence, where every copy is a node.
+const MOST_COPIES: usize = 600;
+const MOST_ORDERED_COPIES: usize = 400;
+
+/// The most steps of the ladder when nothing else limits them: section matrices are proven in far fewer.
+const MOST_STEPS: u64 = 100_000;
+
+/// What the order by neighbours says.
+#[derive(Debug, Default)]
+pub(crate) struct Relaxed {
+    /// Kinds from left to right, allowed.
+    pub(crate) order: Option<Vec<usize>>,
+    /// There is no allowed order.
+    pub(crate) infeasible: bool,
+    pub(crate) certificate: BoundCertificate,
+    /// What the certificate proves.
+    pub(crate) certified: i64,
+}
+
+/// Orders by neighbours; bounds are told to `progress` where they hold for layouts. Interrupted or not, what was found
+/// comes back.
+pub(crate) fn relax(
+    instance: &Instance,
+    seed: Seed,
+    threads: usize,
+    progress: &mut Progress<'_>,
+    budget: &Budget,
+) -> Result<Relaxed, Interrupt> {
+    if instance.copies == 1 {
+        return Ok(Relaxed { order: Some(vec![0]), ..Relaxed::default() });
+    }
+    if instance.copies > MOST_COPIES || !instance.has_all_offsets() {
+        return Ok(relax_lazily(instance, seed, progress, budget));
+    }
+    let count = instance.kinds.len();
+    let row = |left: usize, row: &mut [i64]| {
+        for (right, cost) in row.iter_mut().enumerate() {
+            *cost = instance.kind_cost(left, right).unwrap_or(FORBIDDEN);
+        }
+    };
+    let costs = filled(count, FORBIDDEN, threads, budget, row)?;
+    let Ok(costs) = CostMatrix::new(count, costs) else { return Ok(Relaxed::default()) };
+    let ordered = !instance.precedences.is_empty() && instance.copies <= MOST_ORDERED_COPIES;
+    let specification = TourSpecification {
+        quantities: (0..count).map(|kind| instance.quantity(kind) as u32).collect(),
+        shape: Shape::Path,
+        first: instance.first,
+        last: instance.last,
+        precedence: if ordered { instance.precedences.clone() } else { vec![] },
+        costs,
+    };
+    let mut limited = budget.clone();
+    limited.iterations = Some(limited.iterations.map_or(MOST_STEPS, |limit| limit.min(MOST_STEPS)));
+    let options = SolveOptions { seed, threads, ..SolveOptions::default() };
+    let widths = sum_of_widths(instance);
+    let answer = {
+        let mut bounds = BoundsOnly { progress, plus: widths };
+        let silent: &mut dyn Observer = &mut Silent;
+        let observer = if instance.rule == SlideRule::KeepOrder { &mut bounds } else { silent };
+        solve(&specification, &options, &limited, observer)
+    };
+    let Ok(answer) = answer else { return Ok(Relaxed::default()) };
+    progress.add_iterations(answer.iterations);
+    let mut relaxed = Relaxed {
+        infeasible: answer.ending == Ending::ProvenInfeasible,
+        order: answer.tour.as_ref().map(|tour| tour.visits.clone()),
+        ..Relaxed::default()
+    };
+    if instance.rule == SlideRule::KeepOrder && !relaxed.infeasible {
+        progress.raise_bound(answer.lower_bound + widths);
+        certify(instance, specification, &options, answer, &mut relaxed, budget);
+    }
+    Ok(relaxed)
+}
+
+fn sum_of_widths(instance: &Instance) -> i64 {
+    let width = |kind: usize| instance.items[instance.kinds[kind].items.start].width;
+    (0..instance.kinds.len()).map(|kind| width(kind) * instance.quantity(kind) as i64).sum()
+}
+
+/// Duals of the kinds become duals of the sections. With precedence every copy would have its own: there the certificate
+/// is that of the question without it.
+fn certify(
+    instance: &Instance,
+    specification: TourSpecification,
+    options: &SolveOptions,
+    answer: TourAnswer,
+    relaxed: &mut Relaxed,
+    budget: &Budget,
+) {
+    let answer = if specification.precedence.is_empty() {
+        answer
+    } else {
+        let plain = TourSpecification { precedence: vec![], ..specification.clone() };
+        let brief = Budget { iterations: Some(1_000), ..budget.share(0.5, 0) };
+        match solve(&plain, options, &brief, &mut Silent) {
+            Ok(answer) => answer,
+            Err(_) => return,
+        }
+    };
+    let plain = TourSpecification { precedence: vec![], ..specification };
+    if let Ok(proven) = verify_certificate(&plain, &answer.certificate) {
+        relaxed.certified = proven + sum_of_widths(instance);
+        relaxed.certificate = BoundCertificate::Joins(duals_of_sections(instance, &answer.certificate));
+    }
+}
+
+fn duals_of_sections(instance: &Instance, certificate: &Certificate) -> JoinDuals {
+    let kinds = instance.kinds.len();
+    let mm = |parts: i64| instance.grid.mm(1) * (parts as f64 / certificate.parts as f64);
+    // Costs of kinds leave the width of the left one out.
+    let width = |kind: usize| {
+        instance.items[instance.kinds[kind].items.start].width.saturating_mul(certificate.parts)
+    };
+    let sections = || (0..instance.sections()).map(|section| instance.kind_of(section));
+    let last = kinds;
+    let mut row_mm: Vec<f64> = sections().map(|kind| mm(certificate.row[kind] + width(kind))).collect();
+    let mut column_mm: Vec<f64> = sections().map(|kind| mm(certificate.column[kind])).collect();
+    row_mm.push(mm(certificate.row[last]));
+    column_mm.push(mm(certificate.column[last]));
+    let of_kinds = |set: &Vec<usize>| -> Vec<usize> {
+        let own = sections().enumerate().filter(|(_, kind)| set.contains(kind)).map(|(section, _)| section);
+        own.chain(set.contains(&last).then(|| instance.sections())).collect()
+    };
+    let sets = certificate.sets.iter().map(|(set, weight)| (of_kinds(set), mm(*weight))).collect();
+    JoinDuals { row_mm, column_mm, sets }
+}
+
+/// Copies as nodes, and last the ends of the strip; costs are offsets, computed on demand.
+struct CopyCosts<'a> {
+    instance: &'a Instance,
+    kind_of: Vec<usize>,
+    borders: SampledBorders,
+}
+
+impl Costs for CopyCosts<'_> {
+    fn size(&self) -> usize {
+        self.kind_of.len() + 1
+    }
+
+    fn cost(&self, from: usize, to: usize) -> i64 {
+        match (self.kind_of.get(from), self.kind_of.get(to)) {
+            (None, None) => FORBIDDEN,
+            (None, Some(&kind)) => end_cost(self.instance.first, kind),
+            (Some(&kind), None) => end_cost(self.instance.last, kind),
+            (Some(_), Some(_)) if from == to => FORBIDDEN,
+            (Some(&left), Some(&right)) => self.instance.kind_cost(left, right).unwrap_or(FORBIDDEN),
+        }
+    }
+
+    fn floor(&self, from: usize, to: usize) -> i64 {
+        match (self.kind_of.get(from), self.kind_of.get(to)) {
+            (Some(&left), Some(&right)) if from != to && self.instance.may_join(left, right) => {
+                self.borders.floor(self.instance, left, right)
+            }
+            _ => self.cost(from, to),
+        }
+    }
+}
+
+/// What it costs to begin or end with a kind.
+fn end_cost(asked: Option<usize>, kind: usize) -> i64 {
+    if asked.is_none_or(|asked| asked == kind) { 0 } else { FORBIDDEN }
+}
+
+fn relax_lazily(instance: &Instance, seed: Seed, progress: &mut Progress<'_>, budget: &Budget) -> Relaxed {
+    let kind_of: Vec<usize> = (0..instance.kinds.len())
+        .flat_map(|kind| std::iter::repeat_n(kind, instance.quantity(kind)))
+        .collect();
+    let Ok(borders) = SampledBorders::of(instance, budget) else { return Relaxed::default() };
+    let costs = CopyCosts { instance, kind_of, borders };
+    let mut limited = budget.clone();
+    let most = 50 * instance.copies as u64;
+    limited.iterations = Some(limited.iterations.map_or(most, |limit| limit.min(most)));
+    let widths = sum_of_widths(instance);
+    let answer: LazyAnswer = {
+        let mut bounds = BoundsOnly { progress, plus: widths };
+        let silent: &mut dyn Observer = &mut Silent;
+        let observer = if instance.rule == SlideRule::KeepOrder { &mut bounds } else { silent };
+        search_lazily(&costs, seed, &limited, observer)
+    };
+    progress.add_iterations(answer.iterations);
+    if let Some(bound) = answer.lower_bound.filter(|_| instance.rule == SlideRule::KeepOrder) {
+        progress.raise_bound(bound + widths);
+    }
+    let ends = instance.copies;
+    let begin = answer.order.iter().position(|&node| node == ends).unwrap_or(0);
+    let turned = answer.order[begin..].iter().chain(&answer.order[..begin]);
+    let order = turned.filter(|&&node| node != ends).map(|&node| costs.kind_of[node]).collect();
+    Relaxed { order: answer.cost.map(|_| order), ..Relaxed::default() }
+}
