@@ -102,7 +102,9 @@ impl Terrain {
         let whole = &parts.whole;
         let layer = whole.grid().same_cells();
         let there = Marks::of(owned.len() - 1, true);
-        let (sectors, circles, free) = (Vec::new(), Circles::default(), Vec::new());
+        let count = features.len();
+        let (sectors, circles, free) =
+            (Vec::with_capacity(count), Circles::default(), Vec::with_capacity(count));
         let usual_radius = Clearance { asked: scene.clearance_mm, style: scene.corner_style }.planned();
         let mut nearby = Nearby::like(&layer);
         for (owner, owned) in owned.iter().enumerate().skip(1) {
@@ -111,7 +113,8 @@ impl Terrain {
         if scene.work_area.is_some() {
             nearby.push(WORK_AREA, None);
         }
-        let (spots, whole, joined) = (Vec::new(), Vec::new(), Vec::new());
+        let spots = Vec::with_capacity(count);
+        let (whole, joined) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut terrain = Self {
             parts,
             features,
