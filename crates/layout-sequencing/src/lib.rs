@@ -63,6 +63,7 @@ mod neighbours;
 mod offsets;
 mod options;
 mod order;
+mod order_findings;
 mod outline;
 mod placing;
 mod pose_choice;
