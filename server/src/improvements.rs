@@ -43,7 +43,7 @@ fn thin(list: &mut Vec<Improvement>) {
     let mut place = 0;
     list.retain(|_| {
         place += 1;
-        (last + 1 - place) % 2 == 0
+        (last + 1 - place).is_multiple_of(2)
     });
 }
 

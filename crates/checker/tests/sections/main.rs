@@ -1,5 +1,7 @@
 //! Layouts of sections: what is wrong is found, what is sound is accepted.
 
+#![allow(clippy::panic, reason = "tests; clippy sees functions that help them as production code")]
+
 mod making;
 mod mutation;
 mod oracle;

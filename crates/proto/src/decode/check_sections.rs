@@ -89,7 +89,7 @@ impl Reader<'_> {
         let own: Vec<f64> = layout.sections.iter().map(|section| section.bounds().min.y).collect();
         for (index, (wire, placed)) in wire.iter().zip(order).enumerate() {
             let own = own[placed.section];
-            if !((wire.y_mm - own).abs() <= tolerance) {
+            if !wire.y_mm.is_finite() || (wire.y_mm - own).abs() > tolerance {
                 let field = format!("order[{index}].y_mm");
                 let message = format!(
                     "{} is not {own}, where the section was sent; sections keep their height in the strip",
