@@ -563,3 +563,27 @@ fn distances_are_answered_as_json() {
     let output = traverse(&["call", "PlanDistances", &file.display().to_string()]);
     assert_ends(&output, 0, r#"{"costs":[0.0,5.0,5.0,0.0],"costUnit":"COST_UNIT_MM"}"#);
 }
+
+#[test]
+fn an_empty_drawing_is_refused_and_no_file_is_written_before_a_refusal() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let write = |name: &str, entities: &str| {
+        std::fs::write(at(name), format!("0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n")).unwrap();
+        at(name)
+    };
+    let ends = ["--from", "0,0", "--to", "50,0", "--clearance", "1"];
+    let rapid = |file: &str, more: &[&str]| traverse(&[&["rapid", file][..], &ends, more].concat());
+    let empty = write("empty.dxf", "");
+    assert_ends(&rapid(&empty, &[]), 3, "neither an obstacle nor a work area");
+    assert_ends(&rapid(&empty, &["--ignore-unused"]), 0, "goes round   nothing");
+    let negative = write("negative.dxf", "0\nCIRCLE\n8\nA\n10\n20\n20\n0\n40\n-5\n");
+    assert_ends(&rapid(&negative, &[]), 3, "numbers contradict one another");
+    let band = "0\nLWPOLYLINE\n8\nA\n70\n1\n43\n10\n10\n20\n20\n0\n10\n30\n20\n0\n10\n30\n20\n9\n";
+    assert_ends(&rapid(&write("band.dxf", band), &[]), 3, "its width is not read");
+
+    let svg = at("plan.svg");
+    let output = rapid(&drawing("vise-and-clamps.dxf"), &["-o", &svg, "-o", &at("plan.nc")]);
+    assert_ends(&output, 3, "G-code differs by machine");
+    assert!(!Path::new(&svg).exists());
+}

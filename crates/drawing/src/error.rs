@@ -58,7 +58,7 @@ pub enum ReadError {
         shown(*.value)
     )]
     NumberOutOfRange {
-        /// Line where the entity begins, counted from 1; 0 in a binary file.
+        /// Line that says its type, counted from 1; 0 in a binary file.
         line: usize,
         /// Entity type, such as `LINE`.
         entity: &'static str,

@@ -73,8 +73,8 @@ fn numbers_out_of_range_are_refused_with_layer_and_value() {
         let ReadError::NumberOutOfRange { line, entity, layer, field, value, .. } = error else {
             panic!("{text}")
         };
-        assert_eq!((line, entity, layer.as_str(), field), (5, "CIRCLE", "PINS", "x"));
-        assert!(words.starts_with("line 5: CIRCLE on layer PINS: x is ") && words.len() < 120, "{words}");
+        assert_eq!((line, entity, layer.as_str(), field), (6, "CIRCLE", "PINS", "x"));
+        assert!(words.starts_with("line 6: CIRCLE on layer PINS: x is ") && words.len() < 120, "{words}");
         assert!(value == expected || value.is_nan() && expected.is_nan());
     }
     let file = with_entities("0\nLWPOLYLINE\n8\nA\n70\n1\n10\n0\n20\n0\n42\ninf\n10\n9\n20\n0\n");

@@ -24,7 +24,7 @@ pub(super) struct Entity {
     pub(super) layer: LayerId,
     /// Its own colour.
     pub(super) color: ColorRule,
-    /// Line where it begins, counted from 1; 0 in a binary file.
+    /// Line that says its type, counted from 1; 0 in a binary file.
     pub(super) line: usize,
     /// Its handle.
     pub(super) handle: Option<NonZeroU64>,

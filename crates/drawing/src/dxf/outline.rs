@@ -25,7 +25,7 @@ pub(super) struct Outline<'a> {
     pub(super) map: &'a Affine,
     /// Type of the entity.
     pub(super) entity: &'static str,
-    /// Line where it begins, counted from 1; 0 in a binary file.
+    /// Line that says its type, counted from 1; 0 in a binary file.
     pub(super) line: usize,
     /// Name of its layer.
     pub(super) layer: &'a str,

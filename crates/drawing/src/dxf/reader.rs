@@ -11,7 +11,8 @@ use std::io::Read;
 /// model space, on every layer whether switched on, off or frozen, and in blocks as often as INSERT draws them.
 /// Everything else is counted in [`Drawing::unused`].
 ///
-/// All is taken as seen from above: z is ignored, and what faces down (extrusion −Z) is mirrored. Things on layer 0 of
+/// All is taken as seen from above: what climbs is counted and read so, and what faces down (extrusion −Z) is mirrored.
+/// Of a polyline with a width the centre line is read, and the width is counted as lost. Things on layer 0 of
 /// a block lie on the layer of the INSERT. Ellipses, splines, and arcs in blocks that are stretched more one way become
 /// arcs and segments within [`ReadOptions::fit_tolerance_mm`]. Limits count the entities and vertices that come out,
 /// with one entity for every block that is drawn.
