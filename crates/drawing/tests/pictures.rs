@@ -60,9 +60,10 @@ fn a_tool_change_and_other_ways_are_drawn_and_explained() {
     let corners = [(140.0, 90.0), (160.0, 90.0), (160.0, 99.0)].map(|(x, y)| Point::new(x, y)).to_vec();
     let regions = [Polygon::from_ring(Ring::new(corners, Vec::new()).unwrap())];
     let moves = [straight(start, place), straight(place, target)];
+    let points = [place];
     let change = |moves, separating| Shown::ToolChange {
         regions: &regions,
-        points: &[place],
+        points: &points,
         ends: (start, target),
         moves,
         separating,
