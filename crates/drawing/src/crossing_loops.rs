@@ -79,7 +79,7 @@ pub(crate) fn crossing_loops(group: &RoleLoops<'_>) -> Vec<DrawingFinding> {
         match looked_at.crossing(a, b) {
             Ok(None) => {}
             Ok(Some(cross)) => {
-                findings.extend(group.findings_at(a, &[b], vec![cross], |_| Fault::LoopsCross))
+                findings.extend(group.findings_at(a, &[b], vec![cross], |_| Fault::LoopsCross));
             }
             Err(PastLimit) => {
                 complete = false;

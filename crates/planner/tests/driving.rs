@@ -44,7 +44,7 @@ fn anything(case: u64, seed: u64) -> (Scene, [Point; 2]) {
     if case % 5 == 4 {
         made = mitred(made);
     }
-    if case % 4 == 0 {
+    if case.is_multiple_of(4) {
         made.work_area = Some(rectangle(-15.0, -15.0, 115.0, 115.0));
     }
     let mut end = |x: f64| point(x, random.random_range(-10.0..110.0));

@@ -71,10 +71,7 @@ fn plan_in(
     let interrupted =
         |lower_bound: f64| move |interrupt| vec![Refusal::Interrupted { interrupt, lower_bound }];
     let barriers = Barriers::new(scene, budget).map_err(interrupted(least))?;
-    let mut placing = match Placing::new(&barriers, question, budget).map_err(interrupted(least))? {
-        Ok(placing) => placing,
-        Err(refusals) => return Err(refusals),
-    };
+    let mut placing = Placing::new(&barriers, question, budget).map_err(interrupted(least))??;
     let found = placing.best(stats, observer);
     // A smaller clearance may have a cheaper place.
     let bound = if is_last { placing.lower_bound.max(least) } else { least };
