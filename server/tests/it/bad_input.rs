@@ -122,11 +122,7 @@ async fn a_path_to_check_is_validated_too() {
     let server = Running::start().await;
     let arc = v1::Arc { center: point(f64::NAN, 0.0), clockwise: true, sweep_rad: -1.0 };
     let steps = vec![
-<<<<<<< HEAD
-        v1::PathStep { end: None, arc: None, z_mm: Some(1e9), motion: 0 },
-=======
         v1::PathStep { z_mm: Some(1e9), ..Default::default() },
->>>>>>> costs
         v1::PathStep { end: point(0.0, 0.0), arc: Some(arc), ..Default::default() },
         v1::PathStep {
             end: point(0.0, 0.0),
