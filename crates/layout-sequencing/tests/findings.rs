@@ -22,7 +22,7 @@ fn layout() -> SectionLayout {
 }
 
 fn found(layout: &SectionLayout, options: &OrderOptions) -> Vec<(String, Reason)> {
-    let findings = layout_findings(layout, options, &Budget::unlimited()).unwrap();
+    let findings = layout_findings(layout, options, &Budget::unlimited()).expect("no limit");
     let errors =
         order_sections(layout, options, &Budget { iterations: Some(10), ..Budget::unlimited() }, &mut Silent);
     assert_eq!(errors.err().unwrap_or_default(), findings);
@@ -169,7 +169,7 @@ fn pair(first: &[f64], second: &[f64], bulges: &[f64], by: Vector) -> SectionLay
     section.parts[1].id = "other".into();
     for (part, xy) in section.parts.iter_mut().zip([first, second]) {
         part.pole = Point::origin();
-        part.shape = Polygon::from_ring(Ring::from_xy(xy, bulges).unwrap());
+        part.shape = Polygon::from_ring(Ring::from_xy(xy, bulges).expect("a ring"));
     }
     section.parts[1].pole = Point::from(by);
     oracle::layout(vec![section])

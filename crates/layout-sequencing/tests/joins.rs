@@ -10,7 +10,7 @@ use traverse_solve::{Budget, Seed};
 fn one_part(id: &str, xy: &[f64]) -> Section {
     let part = Part {
         id: id.into(),
-        shape: Polygon::from_ring(Ring::from_xy(xy, &[]).unwrap()),
+        shape: Polygon::from_ring(Ring::from_xy(xy, &[]).expect("a ring")),
         pole: Point::origin(),
         rotation_rad: 0.0,
         mirrored: false,

@@ -23,7 +23,7 @@ fn permissive() -> OrderOptions {
 }
 
 fn ordered(layout: &SectionLayout, options: &OrderOptions, budget: &Budget) -> LayoutAnswer {
-    order_sections(layout, options, budget, &mut Silent).unwrap()
+    order_sections(layout, options, budget, &mut Silent).expect("no findings")
 }
 
 #[test]

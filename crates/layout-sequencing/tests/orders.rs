@@ -122,12 +122,13 @@ fn check_case(layout: &SectionLayout, name: &str, by_distances: bool) -> Ending 
         ..Default::default()
     };
     let mut trace = Trace::default();
-    let answer = order_sections(layout, &options, &Budget::unlimited(), &mut trace).unwrap();
+    let answer = order_sections(layout, &options, &Budget::unlimited(), &mut trace).expect("no findings");
     let Some(optimum) = optimum else {
         assert_eq!((answer.ending, answer.plan), (Ending::ProvenInfeasible, None), "{name}");
         return Ending::ProvenInfeasible;
     };
-    let plan = answer.plan.as_ref().unwrap_or_else(|| panic!("{name}: no plan of {optimum}"));
+    assert!(answer.plan.is_some(), "{name}: no plan of {optimum}");
+    let plan = answer.plan.as_ref().expect("just looked at");
     assert_eq!(answer.ending, Ending::ProvenOptimal, "{name}: {} of {optimum}", plan.length_mm);
     assert!((plan.length_mm - optimum).abs() < 2e-5, "{name}: {} is not {optimum}", plan.length_mm);
     assert_eq!(answer.lower_bound_mm, plan.length_mm, "{name}");
