@@ -24,7 +24,9 @@ def test_the_readme_runs(address: str, capsys: pytest.CaptureFixture[str]) -> No
     assert eval(outline, vars(traverse)).length_mm == pytest.approx(40 + 31.41592653589793 + 40 + 20)
 
 
-@pytest.mark.parametrize("module", [traverse, traverse.layout, traverse.path, traverse.scene], ids=lambda module: module.__name__)
+@pytest.mark.parametrize(
+    "module", [traverse, traverse.layout, traverse.path, traverse.scene], ids=lambda module: module.__name__
+)
 def test_doc_strings_run(module: object) -> None:
     failed, tried = doctest.testmod(module)  # type: ignore[arg-type]
     assert (failed, tried > 0) == (0, True)
