@@ -190,7 +190,23 @@ class Expected:
         self.curves.append(
             {"layer": layer, "color": color, "length": length, "box": box, "exact": exact, "groups": groups}
         )
+        if climbs(entity):
+            self.drop(layer, kind, "Height")
         return None
+
+
+def climbs(entity):
+    """Whether it is in 3D: read as seen from above, and counted."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        heights = [entity.dxf.start.z, entity.dxf.end.z]
+    elif kind == "POLYLINE":
+        heights = [vertex.dxf.location.z for vertex in entity.vertices]
+    elif kind == "SPLINE":
+        heights = [point[2] for points in (entity.control_points, entity.fit_points) for point in points]
+    else:
+        heights = []
+    return bool(heights) and max(heights) - min(heights) > 1e-9
 
 
 def lines_and_arcs(doc, msp):
