@@ -10,6 +10,9 @@ use traverse_geometry::{Point, Polygon, Vector};
 /// Most heights at which one part is cut.
 const MOST_CUTS: usize = 24;
 
+/// Heights nearer to each other than this are one, up to rounding, millimetres: between them nothing is cut.
+const THINNEST_MM: f64 = 1e-6;
+
 /// Points inside `shape`. Cost: at most [`MOST_CUTS`] times its vertices.
 pub(crate) fn witnesses(shape: &Polygon) -> Vec<Point> {
     let curves: Vec<Curve> = (shape.rings())
@@ -21,7 +24,7 @@ pub(crate) fn witnesses(shape: &Polygon) -> Vec<Point> {
     let mut heights: Vec<f64> =
         curves.iter().flat_map(|curve| [curve.bounds().min.y, curve.bounds().max.y]).collect();
     heights.sort_by(f64::total_cmp);
-    heights.dedup();
+    heights.dedup_by(|next, kept| *next - *kept < THINNEST_MM);
     let stride = heights.len().div_ceil(MOST_CUTS).max(1);
     heights
         .windows(2)
