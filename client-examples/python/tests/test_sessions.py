@@ -36,9 +36,7 @@ def test_a_refused_step_fails_alone(client: Client) -> None:
     with client.session(PLATE) as session:
         with pytest.raises(RequestRefused) as inside:
             session.plan_rapid_move((5, 5), TARGET)
-        assert [(each.field, each.reason) for each in inside.value.findings] == [
-            ("query.start", "END_INSIDE_BARRIER")
-        ]
+        assert [(each.field, each.reason) for each in inside.value.findings] == [("query.start", "END_INSIDE_BARRIER")]
         with pytest.raises(RequestRefused) as unknown:
             session.edit(remove=["vise"])
         assert unknown.value.findings[0].reason == "UNKNOWN_ID"

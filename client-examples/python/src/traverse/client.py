@@ -138,8 +138,9 @@ class Client:
         effort: Effort = _EFFORT,
         deadline: float | None = None,
     ) -> list[list[float]]:
-        """Costs of the shortest moves from each of ``sources`` to each of ``targets``, millimetres: a row for each source,
-        ``math.inf`` where there is no way. No targets: from each source to all of them.
+        """Costs of the shortest moves from each of ``sources`` to each of ``targets``, millimetres.
+
+        A row for each source, ``math.inf`` where there is no way. No targets: from each source to all of them.
         """
         request = wire.distances_message(scene, sources, targets, effort)
         response = self._call("PlanDistances", request, distances_pb2.PlanDistancesResponse, deadline)

@@ -68,9 +68,7 @@ def query_step(
 
 def edit_step(put: Iterable[Obstacle], remove: Iterable[str]) -> session_pb2.PlanRapidMovesRequest:
     """A change of a session's scene."""
-    edit = session_pb2.EditScene(
-        put_obstacles=(_obstacle(obstacle) for obstacle in put), remove_obstacle_ids=remove
-    )
+    edit = session_pb2.EditScene(put_obstacles=(_obstacle(obstacle) for obstacle in put), remove_obstacle_ids=remove)
     return session_pb2.PlanRapidMovesRequest(edit=edit)
 
 
@@ -151,9 +149,7 @@ def scene_message(scene: Scene) -> rapid_pb2.Scene:
 
 
 def _obstacle(obstacle: Obstacle) -> rapid_pb2.Obstacle:
-    return rapid_pb2.Obstacle(
-        id=obstacle.id, shape=_polygon(obstacle.polygon), clearance_mm=obstacle.clearance_mm
-    )
+    return rapid_pb2.Obstacle(id=obstacle.id, shape=_polygon(obstacle.polygon), clearance_mm=obstacle.clearance_mm)
 
 
 def path_message(path: Path) -> geometry_pb2.Path:
