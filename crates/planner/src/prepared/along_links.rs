@@ -2,9 +2,9 @@
 //! tangents that nothing blocks.
 //!
 //! Only the ends are new to the scene. The target is tried from every feature that the search comes by. What can be seen
-//! from the start is not worked out: its tangents are offered in the order in which they can matter, by an ellipse round
-//! start and target that grows with the estimates, at first with a bound of what they cost; each is worked out and
-//! tested when it is its turn.
+//! from the start is not worked out to the end: its tangents are offered as they can matter, by what is in view through a
+//! mesh (`cones`) or, without one, by an ellipse round start and target that grows with the estimates (`growth`), at first with
+//! a bound of what they cost; each is worked out and tested when it is its turn.
 //!
 //! Exact: before a label of some estimate is looked into, every feature that a path of that cost can touch was offered to
 //! the start; labels are left out where [`Best`] says that they are idle.
@@ -13,9 +13,11 @@
 //! it.
 
 use super::best::Best;
+use super::cones::{ConeRoom, Cones};
 use super::growth::Growth;
 use super::horizon::Horizon;
 use super::label::{Label, Step};
+use super::mesh::Mesh;
 use super::scene::horizon;
 use super::sights::Sights;
 use super::terrain::Terrain;
@@ -53,6 +55,7 @@ pub(super) struct Room {
     /// Labels that were looked into at features that are blocked in part.
     paid: FxHashMap<(u32, Side), Vec<Paid>>,
     found: Vec<u32>,
+    cones: ConeRoom,
     /// Features that only dearer paths can touch, with the least cost of such a path.
     waiting: Vec<(f64, u32)>,
 }
@@ -72,6 +75,8 @@ pub(super) struct AlongLinks<'a> {
     target: &'a End,
     room: &'a mut Room,
     growth: Growth,
+    /// What is in view, where there is a mesh.
+    cones: Option<Cones<'a>>,
     /// Worked out when it begins to pay.
     horizon: Option<Horizon>,
     offered_count: usize,
@@ -94,6 +99,7 @@ struct Departure<'a> {
 impl<'a> AlongLinks<'a> {
     pub(super) fn new(
         terrain: &'a Terrain,
+        mesh: Option<&'a Mesh>,
         sights: &'a mut Sights,
         [start, target]: [&'a End; 2],
         room: &'a mut Room,
@@ -107,6 +113,9 @@ impl<'a> AlongLinks<'a> {
         room.waiting.clear();
         room.best.begin(terrain.features.len());
         let growth = Growth::new(start.point, target.point);
+        let cones = mesh.and_then(|mesh| {
+            Cones::new(terrain, mesh, [start.point, target.point], &start.places, &mut room.cones)
+        });
         let (horizon, offered_count) = (None, 0);
         Self {
             terrain,
@@ -115,6 +124,7 @@ impl<'a> AlongLinks<'a> {
             target,
             room,
             growth,
+            cones,
             horizon,
             offered_count,
             offered: 0.0,
@@ -190,8 +200,14 @@ impl<'a> AlongLinks<'a> {
     fn offer(&mut self, cost: f64) {
         let mut found = std::mem::take(&mut self.room.found);
         found.clear();
-        self.offered = self.growth.grow(&self.terrain.layer, cost, &mut found);
-        if self.horizon.is_none() && self.offered_count + found.len() > OFFERED_WITHOUT_HORIZON {
+        self.offered = match &mut self.cones {
+            Some(cones) => cones.grow(&mut self.room.cones, cost, &mut found),
+            None => self.growth.grow(&self.terrain.layer, cost, &mut found),
+        };
+        if self.cones.is_none()
+            && self.horizon.is_none()
+            && self.offered_count + found.len() > OFFERED_WITHOUT_HORIZON
+        {
             self.horizon = Some(horizon(self.terrain, self.start));
         }
         self.offered_count += found.len();

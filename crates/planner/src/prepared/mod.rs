@@ -7,12 +7,15 @@
 
 mod along_links;
 mod best;
+mod cones;
 mod edit;
 mod fan;
 mod growth;
 mod horizon;
 mod label;
 mod link;
+mod mesh;
+mod mesh_kept;
 mod nearby;
 mod occlusion;
 mod scene;

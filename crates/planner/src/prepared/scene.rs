@@ -2,6 +2,8 @@
 
 use super::along_links::{AlongLinks, Room};
 use super::horizon::Horizon;
+use super::mesh::Mesh;
+use super::mesh_kept::MeshKept;
 use super::sights::{EditKind, LINKS_KEPT, Sights};
 use super::terrain::Terrain;
 use crate::barriers::{Barriers, Parts, Rings, material_left};
@@ -35,6 +37,7 @@ pub struct PreparedScene {
     pub(super) terrain: Terrain,
     pub(super) sights: Sights,
     room: Room,
+    mesh: MeshKept,
     /// Vertices of what is there, and of what is gone and still kept.
     vertex_count: usize,
     gone_vertex_count: usize,
@@ -72,8 +75,8 @@ impl PreparedScene {
         let ids = scene.obstacles.iter().enumerate();
         let places = ids.map(|(place, obstacle)| (obstacle.id.clone(), place)).collect();
         let vertex_count = scene.vertex_count();
-        let (sights, room) = (Sights::keeping(links_kept), Room::default());
-        Ok(Self { scene, places, terrain, sights, room, vertex_count, gone_vertex_count: 0 })
+        let (sights, room, mesh) = (Sights::keeping(links_kept), Room::default(), MeshKept::default());
+        Ok(Self { scene, places, terrain, sights, room, mesh, vertex_count, gone_vertex_count: 0 })
     }
 
     /// How many obstacles there are.
@@ -120,6 +123,7 @@ impl PreparedScene {
         self.scene.obstacles.push(obstacle);
         let clearance = self.barriers().clearance(place);
         self.terrain.push(clearance);
+        self.mesh.note_added(self.terrain.owned(place).features.clone());
         self.sights.note(&self.terrain, place, EditKind::Added);
         if let Some(place) = replaced {
             self.take_away(place);
@@ -144,6 +148,7 @@ impl PreparedScene {
         self.vertex_count -= vertices;
         self.gone_vertex_count += vertices;
         self.terrain.remove(place);
+        self.mesh.note_edit();
         self.sights.note(&self.terrain, place, EditKind::Removed);
     }
 
@@ -162,9 +167,11 @@ impl PreparedScene {
             return crate::plan_rapid_move(&self.scene_now(), query, budget, observer);
         }
         self.tidy(budget);
-        let Self { scene, terrain, sights, room, .. } = self;
+        let Self { scene, terrain, sights, room, mesh, .. } = self;
         let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
-        let mut along = AlongSights { terrain, sights, room };
+        // A query that is stopped meanwhile is stopped by its own search, too.
+        let _ = mesh.note_query(terrain, &barriers, budget);
+        let mut along = AlongSights { terrain, mesh: mesh.get(), sights, room };
         let mut stats = Stats::default();
         let asked = Asked { barriers: &barriers, query, is_last: true, budget };
         let answer = plan_among(asked, &mut along, &mut stats, observer)?;
@@ -215,6 +222,7 @@ fn owned(shape: &Polygon, inside: bool) -> Rings<'static> {
 /// The shortest route along what can be seen.
 struct AlongSights<'a> {
     terrain: &'a Terrain,
+    mesh: Option<&'a Mesh>,
     sights: &'a mut Sights,
     room: &'a mut Room,
 }
@@ -234,7 +242,7 @@ impl ShortestRoute for AlongSights<'_> {
             let ends = [start, target];
             return MeetingBarriers.shortest(barriers, left_out, ends, stats, budget, observer);
         }
-        let mut search = AlongLinks::new(self.terrain, self.sights, [start, target], self.room);
+        let mut search = AlongLinks::new(self.terrain, self.mesh, self.sights, [start, target], self.room);
         let found = search.run(budget, &mut stats.expanded_nodes, observer);
         (found, search.lower_bound)
     }

@@ -1,0 +1,174 @@
+//! What may be seen from a start, through the triangles of a mesh: cones of directions that edges divide, as far as a path
+//! of some cost may get (bounds as in Polyanya: M. Cui, D. Harabor, A. Grastien 2017).
+//!
+//! A corner that a tangent from the start reaches is seen from there itself: what stood between it and the tangent would be
+//! nearer to the tangent than the clearance. So the corners that no triangle hides are all that can matter; each
+//! tangent is tested when it is its turn.
+//!
+//! Cost: a few nanoseconds for each triangle that is seen and lies within the ellipse of the cost.
+
+use super::mesh::{Mesh, NONE};
+use super::terrain::Terrain;
+use traverse_geometry::{Point, Vector, cross, left_of};
+
+/// By how much the excess over the straight way grows at once, at least.
+const GROWTH: f64 = 1.25;
+
+/// A corner so near to the border of a cone is within it, millimetres: far above rounding, far below a contact tolerance.
+const RAY_TOLERANCE_MM: f64 = 1e-8;
+
+/// Directions from a root between two rays, about to enter a triangle.
+#[derive(Clone, Copy, Debug)]
+struct Cone {
+    root: Point,
+    left: Vector,
+    right: Vector,
+    /// The triangle and the edge by which it is entered.
+    triangle: u32,
+    edge: u32,
+    /// No path through it costs less, millimetres.
+    bound: f64,
+}
+
+/// The memory of cones, to be used again.
+#[derive(Default)]
+pub(super) struct ConeRoom {
+    /// To be looked into.
+    open: Vec<Cone>,
+    /// Too dear as yet.
+    waiting: Vec<Cone>,
+    /// Features at the corners of the triangles that the places lie in.
+    near: Vec<u32>,
+}
+
+/// Cones from the places of a start, as far as they were looked into.
+pub(super) struct Cones<'a> {
+    terrain: &'a Terrain,
+    mesh: &'a Mesh,
+    target: Point,
+    straight: f64,
+    /// How much less a path may cost than one through the corners that it bends round.
+    slack: f64,
+    cost: f64,
+    is_first: bool,
+}
+
+impl<'a> Cones<'a> {
+    /// From `places`, which stand for `start`. None where a place lies beyond the mesh.
+    pub(super) fn new(
+        terrain: &'a Terrain,
+        mesh: &'a Mesh,
+        [start, target]: [Point; 2],
+        places: &[Point],
+        room: &mut ConeRoom,
+    ) -> Option<Self> {
+        room.open.clear();
+        room.waiting.clear();
+        room.near.clear();
+        let aside = places.iter().map(|place| (place - start).norm()).fold(0.0, f64::max);
+        // What a path touches lies within the radius of its corner.
+        let slack = 2.0 * mesh.radius + aside + RAY_TOLERANCE_MM;
+        let straight = (target - start).norm();
+        let cones = Self { terrain, mesh, target, straight, slack, cost: 0.0, is_first: true };
+        for &root in places {
+            let at = mesh.triangle_at(root)?;
+            let triangle = &mesh.triangles[at as usize];
+            for i in 0..3 {
+                room.near.extend_from_slice(mesh.features_at(triangle.corners[i]));
+                // Seen from inside, an edge runs from right to left.
+                let [right, left] = [triangle.corners[i], triangle.corners[(i + 1) % 3]]
+                    .map(|corner| mesh.corners[corner as usize] - root);
+                let cone = Cone { root, left, right, triangle: at, edge: 0, bound: 0.0 };
+                cones.enter(room, cone, triangle.across[i], 0.0);
+            }
+        }
+        Some(cones)
+    }
+
+    /// Adds to `found` the features that come into view, until all were found by which a path of cost `cost` may leave the
+    /// start; answers the cost up to which that holds now: infinity when there are no more.
+    pub(super) fn grow(&mut self, room: &mut ConeRoom, cost: f64, found: &mut Vec<u32>) -> f64 {
+        if self.cost == f64::INFINITY {
+            return self.cost;
+        }
+        if std::mem::take(&mut self.is_first) {
+            found.extend_from_slice(&self.mesh.added);
+            found.append(&mut room.near);
+        }
+        let cost = if cost.is_finite() { cost } else { 0.0 };
+        let excess = (self.cost - self.straight).max(self.mesh.step);
+        self.cost = cost.max(self.straight + GROWTH * excess);
+        let limit = self.cost + self.slack;
+        let due = room.waiting.extract_if(.., |cone| cone.bound <= limit);
+        room.open.extend(due);
+        while let Some(cone) = room.open.pop() {
+            self.look_into(room, &cone, limit, found);
+        }
+        if room.waiting.is_empty() {
+            self.cost = f64::INFINITY;
+        }
+        self.cost
+    }
+
+    fn look_into(&self, room: &mut ConeRoom, cone: &Cone, limit: f64, found: &mut Vec<u32>) {
+        let triangle = &self.mesh.triangles[cone.triangle as usize];
+        let [left_edge, right_edge] = [(cone.edge as usize + 2) % 3, (cone.edge as usize + 1) % 3];
+        let apex = triangle.corners[left_edge];
+        let by = self.mesh.corners[apex as usize] - cone.root;
+        let tolerance = |ray: Vector| RAY_TOLERANCE_MM * (ray.x.abs() + ray.y.abs());
+        let beyond_left = cross(cone.left, by) > tolerance(cone.left);
+        let beyond_right = cross(cone.right, by) < -tolerance(cone.right);
+        if !beyond_left && !beyond_right {
+            found.extend_from_slice(self.mesh.features_at(apex));
+        }
+        if !beyond_left {
+            let right = if beyond_right { cone.right } else { by };
+            self.enter(room, Cone { right, ..*cone }, triangle.across[left_edge], limit);
+        }
+        if !beyond_right {
+            let left = if beyond_left { cone.left } else { by };
+            self.enter(room, Cone { left, ..*cone }, triangle.across[right_edge], limit);
+        }
+    }
+
+    /// Opens a cone that leaves its triangle to the one `beyond`, unless that hides what lies behind it.
+    fn enter(&self, room: &mut ConeRoom, mut cone: Cone, beyond: u32, limit: f64) {
+        if beyond == NONE || self.mesh.is_covered(self.terrain, beyond) {
+            return;
+        }
+        let triangle = &self.mesh.triangles[beyond as usize];
+        let Some(edge) = triangle.across.iter().position(|&across| across == cone.triangle) else { return };
+        let ends = [triangle.corners[edge], triangle.corners[(edge + 1) % 3]];
+        (cone.triangle, cone.edge) = (beyond, edge as u32);
+        cone.bound = self.bound(&cone, ends.map(|corner| self.mesh.corners[corner as usize]));
+        if cone.bound <= limit { room.open.push(cone) } else { room.waiting.push(cone) }
+    }
+
+    /// What a path by a cone costs at least that crosses the edge between `left` and `right`.
+    fn bound(&self, cone: &Cone, [left, right]: [Point; 2]) -> f64 {
+        let along = right - left;
+        // Where the ray crosses the edge, as a share of it from the left.
+        let crossing = |ray: Vector| {
+            let (from_left, from_right) = (cross(ray, left - cone.root), cross(ray, right - cone.root));
+            let share = from_left / (from_left - from_right);
+            left + along * if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
+        };
+        let [from, to] = [crossing(cone.left), crossing(cone.right)];
+        // A target on this side of the edge is as far from it as its mirror image on the other.
+        let off = cross(along, self.target - left);
+        let mirrored = if off < 0.0 {
+            self.target - left_of(along) * (2.0 * off / along.norm_squared())
+        } else {
+            self.target
+        };
+        let ahead = mirrored - cone.root;
+        let by = if cross(from - cone.root, ahead) > 0.0 {
+            from
+        } else if cross(to - cone.root, ahead) < 0.0 {
+            to
+        } else {
+            return ahead.norm();
+        };
+        (by - cone.root).norm() + (mirrored - by).norm()
+    }
+}

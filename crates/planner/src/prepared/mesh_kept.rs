@@ -1,0 +1,63 @@
+//! When a prepared scene has a mesh: after so many queries without an edit that one pays, until too much was added.
+
+use super::mesh::Mesh;
+use super::terrain::Terrain;
+use crate::barriers::Barriers;
+use std::ops::Range;
+use traverse_solve::{Budget, Interrupt};
+
+/// A mesh is made after so many queries without an edit: about what one costs by then.
+const QUERIES_BEFORE_MESH: u32 = 1;
+
+/// A mesh, or how far it is from being made.
+#[derive(Default)]
+pub(super) struct MeshKept {
+    mesh: Option<Mesh>,
+    /// There were edits since it was made.
+    is_old: bool,
+    /// Queries since the last edit, or since a mesh was tried for.
+    queries: u32,
+}
+
+impl MeshKept {
+    /// The mesh, if there is one.
+    pub(super) fn get(&self) -> Option<&Mesh> {
+        self.mesh.as_ref()
+    }
+
+    /// Takes note of features that were added.
+    pub(super) fn note_added(&mut self, features: Range<usize>) {
+        self.note_edit();
+        if self.mesh.as_mut().is_some_and(|mesh| !mesh.add(features)) {
+            self.mesh = None;
+        }
+    }
+
+    /// Takes note of any other change.
+    pub(super) fn note_edit(&mut self) {
+        self.is_old = true;
+        self.queries = 0;
+    }
+
+    /// Takes note of a query, and makes a mesh when it is time.
+    ///
+    /// # Errors
+    /// The budget ended; the mesh is as it was.
+    pub(super) fn note_query(
+        &mut self,
+        terrain: &Terrain,
+        barriers: &Barriers<'_>,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
+        if self.mesh.is_some() && !self.is_old {
+            return Ok(());
+        }
+        self.queries = self.queries.saturating_add(1);
+        if self.queries == QUERIES_BEFORE_MESH {
+            // Where none can be made, none is tried for until the next edit.
+            self.mesh = Mesh::of(terrain, barriers, budget)?;
+            self.is_old = self.mesh.is_none();
+        }
+        Ok(())
+    }
+}
