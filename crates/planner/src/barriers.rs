@@ -154,9 +154,11 @@ impl<'a> Barriers<'a> {
     /// Whether `point` is known, at constant cost, to lie clear of every barrier: nothing lies between it and the middle of
     /// its cell, which does. `is_clear` tells whether a middle does, once for each.
     pub(crate) fn is_known_clear(&self, point: Point, is_clear: impl FnOnce(Point) -> Option<bool>) -> bool {
-        let Some((middle, known)) = self.there.and_then(|(_, nearby)| nearby.middle_of(point)) else {
-            return false;
-        };
+        let Some((_, nearby)) = self.there else { return false };
+        if nearby.was_clear(point) {
+            return true;
+        }
+        let Some((middle, known)) = nearby.middle_of(point) else { return false };
         if known.get().is_none() {
             known.set(is_clear(middle));
         }
@@ -166,6 +168,9 @@ impl<'a> Barriers<'a> {
                 is_free = false;
                 ControlFlow::Break(())
             });
+        }
+        if is_free {
+            nearby.note_clear(point);
         }
         is_free
     }

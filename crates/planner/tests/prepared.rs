@@ -47,6 +47,9 @@ fn prepared_scenes_answer_as_fresh_ones() {
         let shapes = stars(&mut random, count, 100.0, 14.0);
         for fresh in [scene(shapes.clone(), 0.0), scene(shapes.clone(), 1.5), mitred(scene(shapes, 1.0))] {
             let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+            if seed % 3 != 0 {
+                prepared.triangulate(&Budget::unlimited()).unwrap();
+            }
             for _ in 0..12 {
                 let (start, target) = (somewhere(&mut random, 100.0), somewhere(&mut random, 100.0));
                 assert_same(
@@ -97,6 +100,9 @@ fn edits_in_random_order_leave_the_scene_as_a_fresh_one() {
         let mut fresh = scene(shapes, clearance);
         let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
         for step in 0..40 {
+            if random.random_bool(0.1) {
+                prepared.triangulate(&Budget::unlimited()).unwrap();
+            }
             match random.random_range(0..4) {
                 0 if !fresh.obstacles.is_empty() => {
                     let gone = random.random_range(0..fresh.obstacles.len());

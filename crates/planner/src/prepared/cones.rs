@@ -7,7 +7,7 @@
 //!
 //! Cost: a few nanoseconds for each triangle that is seen and lies within the ellipse of the cost.
 
-use super::mesh::{Mesh, NONE};
+use super::mesh::{Mesh, Way, next};
 use super::terrain::Terrain;
 use traverse_geometry::{Point, Vector, cross, left_of};
 
@@ -23,9 +23,8 @@ struct Cone {
     root: Point,
     left: Vector,
     right: Vector,
-    /// The triangle and the edge by which it is entered.
-    triangle: u32,
-    edge: u32,
+    /// Into the triangle.
+    way: Way,
     /// No path through it costs less, millimetres.
     bound: f64,
 }
@@ -76,9 +75,9 @@ impl<'a> Cones<'a> {
             for i in 0..3 {
                 room.near.extend_from_slice(mesh.features_at(triangle.corners[i]));
                 // Seen from inside, an edge runs from right to left.
-                let [right, left] = [triangle.corners[i], triangle.corners[(i + 1) % 3]]
+                let [right, left] = [triangle.corners[i], triangle.corners[next(i)]]
                     .map(|corner| mesh.corners[corner as usize] - root);
-                let cone = Cone { root, left, right, triangle: at, edge: 0, bound: 0.0 };
+                let cone = Cone { root, left, right, way: Way::NONE, bound: 0.0 };
                 cones.enter(room, cone, triangle.across[i], 0.0);
             }
         }
@@ -111,8 +110,9 @@ impl<'a> Cones<'a> {
     }
 
     fn look_into(&self, room: &mut ConeRoom, cone: &Cone, limit: f64, found: &mut Vec<u32>) {
-        let triangle = &self.mesh.triangles[cone.triangle as usize];
-        let [left_edge, right_edge] = [(cone.edge as usize + 2) % 3, (cone.edge as usize + 1) % 3];
+        let triangle = &self.mesh.triangles[cone.way.triangle() as usize];
+        let right_edge = next(cone.way.edge());
+        let left_edge = next(right_edge);
         let apex = triangle.corners[left_edge];
         let by = self.mesh.corners[apex as usize] - cone.root;
         let tolerance = |ray: Vector| RAY_TOLERANCE_MM * (ray.x.abs() + ray.y.abs());
@@ -131,15 +131,14 @@ impl<'a> Cones<'a> {
         }
     }
 
-    /// Opens a cone that leaves its triangle to the one `beyond`, unless that hides what lies behind it.
-    fn enter(&self, room: &mut ConeRoom, mut cone: Cone, beyond: u32, limit: f64) {
-        if beyond == NONE || self.mesh.is_covered(self.terrain, beyond) {
+    /// Opens a cone that leaves its triangle by a way, unless what is there hides what lies behind it.
+    fn enter(&self, room: &mut ConeRoom, mut cone: Cone, way: Way, limit: f64) {
+        if way == Way::NONE || self.mesh.is_covered(self.terrain, way.triangle()) {
             return;
         }
-        let triangle = &self.mesh.triangles[beyond as usize];
-        let Some(edge) = triangle.across.iter().position(|&across| across == cone.triangle) else { return };
-        let ends = [triangle.corners[edge], triangle.corners[(edge + 1) % 3]];
-        (cone.triangle, cone.edge) = (beyond, edge as u32);
+        let (triangle, edge) = (&self.mesh.triangles[way.triangle() as usize], way.edge());
+        let ends = [triangle.corners[edge], triangle.corners[next(edge)]];
+        cone.way = way;
         cone.bound = self.bound(&cone, ends.map(|corner| self.mesh.corners[corner as usize]));
         if cone.bound <= limit { room.open.push(cone) } else { room.waiting.push(cone) }
     }
@@ -147,13 +146,6 @@ impl<'a> Cones<'a> {
     /// What a path by a cone costs at least that crosses the edge between `left` and `right`.
     fn bound(&self, cone: &Cone, [left, right]: [Point; 2]) -> f64 {
         let along = right - left;
-        // Where the ray crosses the edge, as a share of it from the left.
-        let crossing = |ray: Vector| {
-            let (from_left, from_right) = (cross(ray, left - cone.root), cross(ray, right - cone.root));
-            let share = from_left / (from_left - from_right);
-            left + along * if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
-        };
-        let [from, to] = [crossing(cone.left), crossing(cone.right)];
         // A target on this side of the edge is as far from it as its mirror image on the other.
         let off = cross(along, self.target - left);
         let mirrored = if off < 0.0 {
@@ -162,13 +154,105 @@ impl<'a> Cones<'a> {
             self.target
         };
         let ahead = mirrored - cone.root;
-        let by = if cross(from - cone.root, ahead) > 0.0 {
-            from
-        } else if cross(to - cone.root, ahead) < 0.0 {
-            to
+        let ray = if cross(cone.left, ahead) > 0.0 {
+            cone.left
+        } else if cross(cone.right, ahead) < 0.0 {
+            cone.right
         } else {
             return ahead.norm();
         };
+        // Where the ray crosses the edge, as a share of it from the left.
+        let (from_left, from_right) = (cross(ray, left - cone.root), cross(ray, right - cone.root));
+        let share = from_left / (from_left - from_right);
+        let by = left + along * if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) };
         (by - cone.root).norm() + (mirrored - by).norm()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::PreparedScene;
+    use crate::barrier::Side;
+    use crate::search::{Ground, Tangent};
+    use rand::RngExt;
+    use traverse_geometry::{CornerStyle, Location, Obstacle, Polygon, Ring, Scene, unit};
+    use traverse_solve::{Budget, Seed};
+
+    /// Stars that may cross each other, some of them in rows that share borders.
+    fn scene(random: &mut impl RngExt, clearance_mm: f64) -> Scene {
+        let is_row = random.random_bool(0.3);
+        let obstacles = (0..random.random_range(1..30)).map(|i| {
+            let center = if is_row {
+                Point::new(10.0 * f64::from(i), 20.0)
+            } else {
+                Point::new(random.random_range(0.0..100.0), random.random_range(0.0..60.0))
+            };
+            let corners = if is_row { 4 } else { random.random_range(3..9) };
+            let step = std::f64::consts::TAU / f64::from(corners);
+            let points = (0..corners).map(|corner| {
+                if is_row {
+                    return center
+                        + [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]
+                            .map(|(x, y)| Vector::new(x, y))[corner as usize];
+                }
+                center + unit(step * f64::from(corner)) * random.random_range(3.0..12.0)
+            });
+            let shape = Polygon::from_ring(Ring::new(points.collect(), vec![]).unwrap());
+            Obstacle { id: format!("o{i}"), shape, clearance_mm: None, top_z_mm: None }
+        });
+        let obstacles = obstacles.collect();
+        let (work_area, work_area_clearance_mm) = (None, None);
+        Scene { work_area, obstacles, clearance_mm, work_area_clearance_mm, corner_style: CornerStyle::Round }
+    }
+
+    /// Every corner that a free tangent leads to is found, before any that only a dearer path can touch is needed.
+    #[test]
+    fn all_that_can_be_seen_is_found_in_time() {
+        let (mut seen_count, mut found_count) = (0, 0);
+        for seed in 0..200 {
+            let mut random = Seed(seed).stream();
+            let clearance = [0.0, 0.0, 0.7][seed as usize % 3];
+            let scene = scene(&mut random, clearance);
+            let mut prepared = PreparedScene::new(scene, &Budget::unlimited()).unwrap();
+            prepared.triangulate(&Budget::unlimited()).unwrap();
+            let (terrain, mesh) = (&prepared.terrain, prepared.mesh.get().unwrap());
+            let mut at = || Point::new(random.random_range(-10.0..310.0), random.random_range(-10.0..70.0));
+            for _ in 0..10 {
+                let (start, target) = (at(), at());
+                let straight = (target - start).norm();
+                let is_covered = |obstacle: &Obstacle| obstacle.shape.locate(start) != Location::Outside;
+                if prepared.scene.obstacles.iter().any(is_covered) {
+                    continue;
+                }
+                let mut room = ConeRoom::default();
+                let Some(mut cones) = Cones::new(terrain, mesh, [start, target], &[start], &mut room) else {
+                    continue;
+                };
+                let (mut found, mut offered) = (Vec::new(), 0.0);
+                while offered < f64::INFINITY {
+                    offered = cones.grow(&mut room, offered, &mut found);
+                    for feature in 0..terrain.features.len() as u32 {
+                        let circle = terrain.feature(feature);
+                        let least = (circle.center - start).norm() + (target - circle.center).norm()
+                            - 2.0 * circle.plan_radius;
+                        let is_seen = [Side::Left, Side::Right].iter().any(|side| {
+                            let tangent =
+                                Tangent::between(start, 0.0, circle.center, circle.plan_radius * side.sign());
+                            tangent.is_some_and(|tangent| terrain.is_free(tangent.from, tangent.to))
+                        });
+                        if is_seen && least <= offered {
+                            seen_count += 1;
+                            assert!(
+                                found.contains(&feature),
+                                "seed {seed}: {feature} from {start:?}, {offered} of {straight}"
+                            );
+                        }
+                    }
+                }
+                found_count += found.len();
+            }
+        }
+        assert!(found_count < seen_count, "{found_count} for {seen_count}");
     }
 }

@@ -14,8 +14,8 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use traverse_geometry::{Bounds, CornerStyle, Edge, Location, Point, Vector, cross};
 use traverse_solve::{Budget, Interrupt};
 
-/// No triangle, or no owner.
-pub(super) const NONE: u32 = u32::MAX;
+/// No owner.
+const NONE: u32 = u32::MAX;
 
 /// The owner that stands for the work area.
 const OUTSIDE: u32 = u32::MAX - 1;
@@ -36,10 +36,36 @@ const MARGIN_RATIO: f64 = 0.25;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
     pub(super) corners: [u32; 3],
-    /// The triangle across the edge from each corner to the next, or [`NONE`].
-    pub(super) across: [u32; 3],
+    /// Across the edge from each corner to the next.
+    pub(super) across: [Way; 3],
     /// Who covers it, or [`NONE`].
     owner: u32,
+}
+
+/// Into a triangle, by one of its edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Way(u32);
+
+impl Way {
+    /// Beyond the mesh.
+    pub(super) const NONE: Self = Self(u32::MAX);
+
+    fn into(triangle: usize, edge: usize) -> Self {
+        Self((triangle * 4 + edge) as u32)
+    }
+
+    pub(super) fn triangle(self) -> u32 {
+        self.0 / 4
+    }
+
+    pub(super) fn edge(self) -> usize {
+        (self.0 % 4) as usize
+    }
+}
+
+/// The place after this one among three.
+pub(super) fn next(place: usize) -> usize {
+    if place == 2 { 0 } else { place + 1 }
 }
 
 /// A triangulated scene.
@@ -111,17 +137,15 @@ impl Mesh {
 
     /// From triangle to triangle towards a point (visibility walk: O. Devillers, S. Pion, M. Teillaud 2002).
     fn walk(&self, from: u32, point: Point) -> Option<u32> {
-        let mut at = from;
-        let mut before = NONE;
+        let (mut at, mut before) = (from, None);
         for _ in 0..self.triangles.len() {
             let triangle = self.triangles.get(at as usize)?;
             let corners = triangle.corners.map(|corner| self.corners[corner as usize]);
-            let beyond = (0..3).find(|&i| {
-                triangle.across[i] != before
-                    && cross(corners[(i + 1) % 3] - corners[i], point - corners[i]) < 0.0
-            });
-            let Some(edge) = beyond else { return Some(at) };
-            (before, at) = (at, triangle.across[edge]);
+            let mut ways =
+                triangle.across.iter().enumerate().filter(|&(_, way)| Some(way.triangle()) != before);
+            let beyond = ways.find(|&(i, _)| cross(corners[next(i)] - corners[i], point - corners[i]) < 0.0);
+            let Some((_, way)) = beyond else { return Some(at) };
+            (before, at) = (Some(at), way.triangle());
         }
         None
     }
@@ -255,15 +279,18 @@ impl Triangulating {
     fn triangles(&self) -> (Vec<Triangle>, Vec<[bool; 3]>) {
         let faces = self.by_spade.inner_faces().map(|face| {
             let edges = face.adjacent_edges();
-            let beyond = |edge: &spade::handles::DirectedEdgeHandle<'_, _, _, _, _>| {
-                edge.rev().face().as_inner().map_or(NONE, |face| face.fix().index() as u32 - 1)
-            };
             let triangle = Triangle {
-                corners: [0, 1, 2].map(|i| edges[i].from().fix().index() as u32),
-                across: [0, 1, 2].map(|i| beyond(&edges[i])),
+                corners: edges.map(|edge| edge.from().fix().index() as u32),
+                across: edges.map(|edge| {
+                    let back = edge.rev();
+                    let Some(beyond) = back.face().as_inner() else { return Way::NONE };
+                    let by = beyond.adjacent_edges().iter().position(|edge| *edge == back);
+                    // Face 0 is what lies outside.
+                    by.map_or(Way::NONE, |by| Way::into(beyond.fix().index() - 1, by))
+                }),
                 owner: NONE,
             };
-            (triangle, [0, 1, 2].map(|i| edges[i].is_constraint_edge()))
+            (triangle, edges.map(|edge| edge.is_constraint_edge()))
         });
         faces.unzip()
     }
@@ -327,9 +354,12 @@ impl Mesh {
             while let Some(&at) = part.get(next) {
                 next += 1;
                 let triangle = &self.triangles[at as usize];
-                for (&beyond, &is_border) in triangle.across.iter().zip(&borders[at as usize]) {
-                    if beyond != NONE && !is_border && !std::mem::replace(&mut is_done[beyond as usize], true)
-                    {
+                for (&way, &is_border) in triangle.across.iter().zip(&borders[at as usize]) {
+                    if way == Way::NONE || is_border {
+                        continue;
+                    }
+                    let beyond = way.triangle();
+                    if !std::mem::replace(&mut is_done[beyond as usize], true) {
                         part.push(beyond);
                     }
                 }

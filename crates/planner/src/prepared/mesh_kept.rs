@@ -7,7 +7,7 @@ use std::ops::Range;
 use traverse_solve::{Budget, Interrupt};
 
 /// A mesh is made after so many queries without an edit: about what one costs by then.
-const QUERIES_BEFORE_MESH: u32 = 1;
+const QUERIES_BEFORE_MESH: u32 = 64;
 
 /// A mesh, or how far it is from being made.
 #[derive(Default)]
@@ -53,11 +53,22 @@ impl MeshKept {
             return Ok(());
         }
         self.queries = self.queries.saturating_add(1);
-        if self.queries == QUERIES_BEFORE_MESH {
-            // Where none can be made, none is tried for until the next edit.
-            self.mesh = Mesh::of(terrain, barriers, budget)?;
-            self.is_old = self.mesh.is_none();
-        }
+        // Where none can be made, none is tried for until the next edit.
+        if self.queries == QUERIES_BEFORE_MESH { self.make(terrain, barriers, budget) } else { Ok(()) }
+    }
+
+    /// Makes a mesh, where the scene is for one.
+    ///
+    /// # Errors
+    /// The budget ended; the mesh is as it was.
+    pub(super) fn make(
+        &mut self,
+        terrain: &Terrain,
+        barriers: &Barriers<'_>,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
+        self.mesh = Mesh::of(terrain, barriers, budget)?;
+        self.is_old = self.mesh.is_none();
         Ok(())
     }
 }

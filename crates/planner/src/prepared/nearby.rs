@@ -15,13 +15,16 @@ pub(crate) struct Nearby {
     wide: Vec<usize>,
     /// Per cell whether its middle lies clear of every barrier, as far as that is known.
     middles: Vec<Cell<Option<bool>>>,
+    /// The last two points that were found clear: each end of a move is asked about more than once.
+    clear: Cell<[Option<Point>; 2]>,
 }
 
 impl Nearby {
     /// Nothing yet, in cells like those of `grid`.
     pub(super) fn like(grid: &Grid) -> Self {
         let [columns, rows] = grid.size();
-        Self { boxes: grid.same_cells(), wide: Vec::new(), middles: vec![Cell::new(None); columns * rows] }
+        let middles = vec![Cell::new(None); columns * rows];
+        Self { boxes: grid.same_cells(), wide: Vec::new(), middles, clear: Cell::default() }
     }
 
     /// The middle of the cell that a point lies in, and whether it is clear of every barrier, as far as that is known.
@@ -35,8 +38,20 @@ impl Nearby {
         Some((self.boxes.middle(column, row), &self.middles[row_at * columns + column_at]))
     }
 
-    /// Forgets whether middles within `bounds` are clear.
-    pub(super) fn forget_middles(&mut self, bounds: &Bounds) {
+    /// Whether `point` was found clear just now.
+    pub(crate) fn was_clear(&self, point: Point) -> bool {
+        self.clear.get().contains(&Some(point))
+    }
+
+    /// Takes note that `point` is clear.
+    pub(crate) fn note_clear(&self, point: Point) {
+        let [last, _] = self.clear.get();
+        self.clear.set([Some(point), last]);
+    }
+
+    /// Forgets whether points within `bounds` are clear.
+    pub(super) fn forget(&mut self, bounds: &Bounds) {
+        self.clear.set([None; 2]);
         let [columns, rows] = self.boxes.size().map(|count| count as i64);
         let (low, high) = (self.boxes.cell_at(bounds.min), self.boxes.cell_at(bounds.max));
         for row in low[1].max(0)..=high[1].min(rows - 1) {

@@ -37,7 +37,7 @@ pub struct PreparedScene {
     pub(super) terrain: Terrain,
     pub(super) sights: Sights,
     room: Room,
-    mesh: MeshKept,
+    pub(super) mesh: MeshKept,
     /// Vertices of what is there, and of what is gone and still kept.
     vertex_count: usize,
     gone_vertex_count: usize,
@@ -150,6 +150,19 @@ impl PreparedScene {
         self.terrain.remove(place);
         self.mesh.note_edit();
         self.sights.note(&self.terrain, place, EditKind::Removed);
+    }
+
+    /// Triangulates the scene now, which otherwise happens when many queries were asked without an edit between: later
+    /// queries are faster, their answers the same. Of no effect where there are arcs or mitred barriers. Cost: about 2 µs for
+    /// each vertex.
+    ///
+    /// # Errors
+    /// The budget ended; the scene is as it was.
+    pub fn triangulate(&mut self, budget: &Budget) -> Result<(), Interrupt> {
+        self.tidy(budget);
+        let Self { scene, terrain, mesh, .. } = self;
+        let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
+        mesh.make(terrain, &barriers, budget)
     }
 
     /// Plans one rapid move; as [`crate::plan_rapid_move`] would in the scene as it is now.

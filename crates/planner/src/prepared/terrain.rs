@@ -267,7 +267,7 @@ impl Terrain {
 
     /// Forgets what was known of arcs and of points within `bounds`.
     fn forget_within(&mut self, bounds: &Bounds) {
-        self.nearby.forget_middles(bounds);
+        self.nearby.forget(bounds);
         let (free, whole) = (&mut self.free, &self.whole);
         let _ = self.layer.within(bounds, |feature| {
             free[feature as usize].take();
