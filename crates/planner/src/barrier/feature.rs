@@ -18,12 +18,12 @@ pub(crate) struct Feature {
     /// Width of the range, radians, at most a full turn.
     pub(crate) sweep: f64,
     /// The feature that the range's beginning goes over into without a straight edge between.
-    pub(crate) before: Option<usize>,
+    pub(crate) before: Option<u32>,
     /// The feature that the range's end goes over into without a straight edge between.
-    pub(crate) after: Option<usize>,
+    pub(crate) after: Option<u32>,
     /// The feature that the border of a mitred barrier leads to from the range's end, straight, where one of both is an arc:
     /// a tangent so short against the radius that both circles don't tell its direction.
-    pub(crate) straight_after: Option<usize>,
+    pub(crate) straight_after: Option<u32>,
     /// Whose barrier it belongs to, as in [`super::Blocker::owner`].
     pub(crate) owner: usize,
 }

@@ -107,10 +107,10 @@ impl Outline<'_> {
             let is_mitred = self.clearance.miter().is_some() && (link + next) % 2 == 1;
             if is_mitred {
                 // From a control point to an arc and back, half of the mitre lies between.
-                features[last].straight_after = Some(following);
+                features[last].straight_after = Some(following as u32);
             } else {
-                features[last].after = Some(following);
-                features[following].before = Some(last);
+                features[last].after = Some(following as u32);
+                features[following].before = Some(last as u32);
             }
         }
         if self.ring.touches_itself() {

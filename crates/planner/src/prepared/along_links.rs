@@ -400,7 +400,6 @@ impl<'a> AlongLinks<'a> {
             Side::Left => 0.0,
             Side::Right => terrain.feature(onto).sweep,
         };
-        let neighbour = neighbour.map(|onto| onto as u32);
         if let Some(onto) = neighbour {
             self.push_onto(departure, end, onto, entry(onto));
         }

@@ -290,7 +290,7 @@ impl Triangulating {
                 }),
                 owner: NONE,
             };
-            (triangle, edges.map(|edge| edge.is_constraint_edge()))
+            (triangle, [0, 1, 2].map(|i: usize| edges[i].is_constraint_edge()))
         });
         faces.unzip()
     }

@@ -19,7 +19,7 @@ pub(super) const LINKS_KEPT: usize = 1_000_000;
 /// Sights by feature and side, worked out when first asked for.
 pub(super) struct Sights {
     /// Per feature on the left and on the right.
-    known: Vec<[Option<Kept>; 2]>,
+    known: Vec<[Option<Box<Kept>>; 2]>,
     edits: Vec<Edit>,
     looked: Looked,
     link_count: usize,
@@ -114,7 +114,7 @@ impl Sights {
         }
         let sight = sight(terrain, feature, side, &mut self.looked, budget)?;
         self.link_count += sight.links.len();
-        let replaced = self.known[at][side as usize].replace(Kept { sight, edits: now });
+        let replaced = self.known[at][side as usize].replace(Box::new(Kept { sight, edits: now }));
         self.link_count -= replaced.map_or(0, |kept| kept.sight.links.len());
         Ok(())
     }

@@ -22,7 +22,7 @@ pub(super) struct Terrain {
     sectors: Vec<Sector>,
     circles: Circles,
     /// Per feature its free stretches, worked out when first asked for.
-    free: Vec<OnceCell<Stretches>>,
+    free: Vec<OnceCell<Box<Stretches>>>,
     pub(super) there: Marks,
     pub(super) nearby: Nearby,
     /// Per feature what a search looks at first.
@@ -290,10 +290,10 @@ impl Ground for Terrain {
         self.free[feature as usize].get_or_init(|| {
             let feature = &self.features[feature as usize];
             if feature.plan_radius == 0.0 {
-                return Stretches::all(feature);
+                return Box::new(Stretches::all(feature));
             }
             let blocked = self.parts.whole.blocked_offsets(feature);
-            Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)))
+            Box::new(Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner))))
         })
     }
 

@@ -9,7 +9,7 @@ use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector};
 pub(crate) struct Circles {
     /// The last feature of each millimetre square that a centre lies in, and for every feature the one before it in
     /// its square.
-    last_in: FxHashMap<[i64; 2], u32>,
+    last_in: FxHashMap<[i32; 2], u32>,
     before_in_square: Vec<Option<u32>>,
 }
 
@@ -37,13 +37,14 @@ pub(crate) fn is_same_circle(a: &Feature, b: &Feature) -> bool {
         && (a.center - b.center).norm() < CONTACT_TOLERANCE_MM / 2.0
 }
 
-/// The millimetre square of a point.
-fn square_of(p: Point) -> [i64; 2] {
-    [p.x.floor() as i64, p.y.floor() as i64]
+/// The millimetre square of a point. What lies beyond two million metres shares the outermost ones.
+fn square_of(p: Point) -> [i32; 2] {
+    // A cast from a float saturates.
+    [p.x.floor() as i32, p.y.floor() as i32]
 }
 
 /// The squares in which a centre within half a contact tolerance of `center` may lie, each once.
-fn squares_near(center: Point) -> [Option<[i64; 2]>; 4] {
+fn squares_near(center: Point) -> [Option<[i32; 2]>; 4] {
     let by = Vector::new(CONTACT_TOLERANCE_MM, CONTACT_TOLERANCE_MM);
     let ([left, low], [right, high]) = (square_of(center - by), square_of(center + by));
     let (wide, tall) = (left < right, low < high);

@@ -28,7 +28,7 @@ pub(crate) trait Ground {
     /// Whether a path passes from one feature to the other without a straight move.
     fn goes_over(&self, one: u32, other: u32) -> bool {
         let feature = self.feature(one);
-        let neighbour = Some(other as usize);
+        let neighbour = Some(other);
         feature.after == neighbour || feature.before == neighbour || self.is_same_circle(one, other)
     }
 
@@ -37,8 +37,8 @@ pub(crate) trait Ground {
     fn along_border(&self, from: u32, to: u32, side: Side) -> Option<Tangent> {
         let (one, other) = (self.feature(from), self.feature(to));
         let (at, onto) = match side {
-            Side::Left => (one.straight_after == Some(to as usize)).then_some((one.sweep, 0.0))?,
-            Side::Right => (other.straight_after == Some(from as usize)).then_some((0.0, other.sweep))?,
+            Side::Left => (one.straight_after == Some(to)).then_some((one.sweep, 0.0))?,
+            Side::Right => (other.straight_after == Some(from)).then_some((0.0, other.sweep))?,
         };
         let normal = -other.direction_at(onto) * side.sign();
         Some(Tangent::along(one.plan_point(at), other.plan_point(onto), normal))

@@ -98,7 +98,6 @@ impl<M: Measure> Tree<'_, M> {
             Side::Left => (circle.after, circle.sweep),
             Side::Right => (circle.before, 0.0),
         };
-        let neighbour = neighbour.map(|onto| onto as u32);
         if let Some(onto) = neighbour.filter(|&onto| wanted(onto)) {
             self.push_onto(ground, stance, &departure, end, onto, entry(onto));
         }
