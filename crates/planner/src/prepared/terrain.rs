@@ -201,8 +201,13 @@ impl Terrain {
             Whole::Yes => true,
             Whole::No => false,
             Whole::Unknown => {
-                let is_whole = self.stretches(feature).free == [(0.0, self.features[feature as usize].sweep)];
+                let stretches = self.work_out(feature);
+                let is_whole = stretches.free == [(0.0, self.features[feature as usize].sweep)];
                 self.whole[feature as usize].set(if is_whole { Whole::Yes } else { Whole::No });
+                if !is_whole {
+                    // Kept where they say more than this.
+                    self.free[feature as usize].get_or_init(|| Box::new(stretches));
+                }
                 is_whole
             }
         }
@@ -265,6 +270,15 @@ impl Terrain {
         self.free.push(OnceCell::new());
     }
 
+    fn work_out(&self, feature: u32) -> Stretches {
+        let feature = &self.features[feature as usize];
+        if feature.plan_radius == 0.0 {
+            return Stretches::all(feature);
+        }
+        let blocked = self.parts.whole.blocked_offsets(feature);
+        Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)))
+    }
+
     /// Forgets what was known of arcs and of points within `bounds`.
     fn forget_within(&mut self, bounds: &Bounds) {
         self.nearby.forget(bounds);
@@ -287,14 +301,7 @@ impl Ground for Terrain {
     }
 
     fn stretches(&self, feature: u32) -> &Stretches {
-        self.free[feature as usize].get_or_init(|| {
-            let feature = &self.features[feature as usize];
-            if feature.plan_radius == 0.0 {
-                return Box::new(Stretches::all(feature));
-            }
-            let blocked = self.parts.whole.blocked_offsets(feature);
-            Box::new(Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner))))
-        })
+        self.free[feature as usize].get_or_init(|| Box::new(self.work_out(feature)))
     }
 
     fn knows_stretches(&self, _feature: u32) -> bool {
