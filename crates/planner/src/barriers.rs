@@ -74,7 +74,7 @@ impl<'a> Barriers<'a> {
         let work_area = scene.work_area.iter().flat_map(|area| material_left(area, false)).collect();
         let mut parts = Parts { obstacles, work_area, whole: Obstruction::default() };
         let barriers = Barriers::view(scene, &parts, None);
-        let (mut blockers, mut ends) = (Vec::new(), Vec::new());
+        let (mut blockers, mut ends) = (Vec::with_capacity(scene.vertex_count()), Vec::new());
         for owner in barriers.owners() {
             budget.check(0)?;
             for outline in barriers.outlines(owner) {

@@ -164,7 +164,10 @@ impl Obstruction {
             found.push(item);
             ControlFlow::Continue(())
         });
-        self.each(found).flat_map(|blocker| {
+        let far = feature.plan_radius + QUICK_TEST_MARGIN_MM;
+        let may_block =
+            move |blocker: &&Blocker| blocker.edge.distance_to_point(feature.center) <= far + blocker.limit;
+        self.each(found).filter(may_block).flat_map(|blocker| {
             blocked_by(feature, blocker).into_iter().map(|(from, to)| (from, to, blocker.owner))
         })
     }

@@ -22,7 +22,7 @@ use super::scene::horizon;
 use super::sights::Sights;
 use super::terrain::Terrain;
 use crate::barrier::{Feature, Side};
-use crate::search::{End, Ground, Route, Sector, Stop, Tangent};
+use crate::search::{End, Ground, LABEL_LIMIT, Route, Sector, Stop, Tangent};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -37,9 +37,6 @@ const GUESS_RATIO: f64 = 1e-11;
 
 /// The budget is looked at once for so many labels.
 const LABELS_BETWEEN_CHECKS: u64 = 16;
-
-/// Most labels of one search: about 60 MB.
-const LABEL_LIMIT: usize = 1_000_000;
 
 /// A search with more labels than this does not keep its memory for the next one.
 const ROOM_LABELS: usize = 1 << 16;

@@ -6,6 +6,7 @@ use super::mesh::Mesh;
 use super::mesh_kept::MeshKept;
 use super::sights::{EditKind, LINKS_KEPT, Sights};
 use super::terrain::Terrain;
+use crate::barrier::Clearance;
 use crate::barriers::{Barriers, Parts, Rings, material_left};
 use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
 use crate::search::{End, Route};
@@ -117,12 +118,13 @@ impl PreparedScene {
         budget.check(0).map_err(EditRefusal::Interrupted)?;
         let replaced = self.places.get(&obstacle.id).copied();
         let place = self.scene.obstacles.len();
-        self.terrain.parts.obstacles.push(owned(&obstacle.shape, true));
+        let asked = self.scene.clearance_of(&obstacle);
+        let clearance = Clearance { asked, style: self.scene.corner_style };
+        let added = self.terrain.push(owned(&obstacle.shape, true), clearance, budget);
+        added.map_err(EditRefusal::Interrupted)?;
         self.places.insert(obstacle.id.clone(), place);
         self.vertex_count += obstacle.shape.vertex_count();
         self.scene.obstacles.push(obstacle);
-        let clearance = self.barriers().clearance(place);
-        self.terrain.push(clearance);
         self.mesh.note_added(self.terrain.owned(place).features.clone());
         self.sights.note(&self.terrain, place, EditKind::Added);
         if let Some(place) = replaced {

@@ -2,12 +2,15 @@
 
 use super::nearby::Nearby;
 use crate::barrier::{Blocker, Clearance, Feature, Grid, Obstruction, Outline};
-use crate::barriers::{Barriers, Marks, Parts, WORK_AREA};
+use crate::barriers::{Barriers, Marks, Parts, Rings, WORK_AREA};
 use crate::search::{Circles, Ground, Sector, Stretches, is_same_circle};
 use std::cell::{Cell, OnceCell};
 use std::ops::{ControlFlow, Range};
 use traverse_geometry::{Arc, Bounds, Point, Scene, Segment, Vector, unit};
 use traverse_solve::{Budget, Interrupt};
+
+/// The budget is looked at once for so many features.
+const FEATURES_BETWEEN_CHECKS: usize = 4096;
 
 /// A circle up to this share of a cell enters the grid by its box.
 const SMALL_CIRCLE: f64 = 0.25;
@@ -81,7 +84,7 @@ impl Terrain {
     /// The budget ended.
     pub(super) fn new(scene: &Scene, mut parts: Parts<'static>, budget: &Budget) -> Result<Self, Interrupt> {
         let barriers = Barriers::view(scene, &parts, None);
-        let (mut blockers, mut ends) = (Vec::new(), Vec::new());
+        let (mut blockers, mut ends) = (Vec::with_capacity(scene.vertex_count()), Vec::new());
         let mut features = Vec::new();
         let mut owned = Vec::new();
         for owner in std::iter::once(WORK_AREA).chain(0..parts.obstacles.len()) {
@@ -131,25 +134,41 @@ impl Terrain {
             owned,
         };
         for feature in 0..terrain.features.len() {
+            if feature.is_multiple_of(FEATURES_BETWEEN_CHECKS) {
+                budget.check(0)?;
+            }
             terrain.place(feature);
         }
         Ok(terrain)
     }
 
-    /// Adds the obstacle whose rings were added last.
-    pub(super) fn push(&mut self, clearance: Clearance) {
+    /// Adds the next obstacle.
+    ///
+    /// # Errors
+    /// The budget ended; nothing is added.
+    pub(super) fn push(
+        &mut self,
+        rings: Rings<'static>,
+        clearance: Clearance,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
         let first = self.features.len();
-        let owner = self.parts.obstacles.len() - 1;
+        let owner = self.parts.obstacles.len();
+        for ring in &rings {
+            let outline = Outline { ring, clearance, owner };
+            if let Err(interrupt) = outline.add_features(&mut self.features, budget) {
+                self.features.truncate(first);
+                return Err(interrupt);
+            }
+        }
         let mut owned = Owned::default();
         let mut chain = Vec::new();
-        for ring in &self.parts.obstacles[owner] {
-            let outline = Outline { ring, clearance, owner };
+        for ring in &rings {
             chain.clear();
-            outline.add_blockers(&mut chain);
-            let added = outline.add_features(&mut self.features, &Budget::unlimited());
-            debug_assert!(added.is_ok(), "nothing stops an unlimited budget");
+            Outline { ring, clearance, owner }.add_blockers(&mut chain);
             owned.blockers.push(self.parts.whole.push_chain(&chain));
         }
+        self.parts.obstacles.push(rings);
         owned.features = first..self.features.len();
         owned.bounds =
             bounds_of(owned.blockers.iter().flat_map(|chain| self.parts.whole.blockers(chain.clone())));
@@ -162,6 +181,7 @@ impl Terrain {
             self.forget_within(&bounds);
         }
         self.owned.push(owned);
+        Ok(())
     }
 
     /// Takes an owner away; its blockers and features stay where they are, for nothing.

@@ -11,9 +11,13 @@ use crate::barrier::{Feature, Side};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use traverse_geometry::{Bounds, left_of, unit};
+use traverse_solve::{Budget, Interrupt};
 
 /// Most features of a bundle that is not divided further.
 const BUNDLED: usize = 8;
+
+/// The budget is looked at for each bundle of more features than this.
+const FEATURES_BETWEEN_CHECKS: usize = 2048;
 
 /// What a bundle's circle is larger by, as a share: above rounding and what sectors let pass.
 const SLACK_RATIO: f64 = 1e-6;
@@ -36,9 +40,20 @@ impl Bundles {
     }
 
     /// Bundles the features of a barrier.
-    pub(super) fn push(&mut self, features: &[Feature], range: Range<usize>) {
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(super) fn push(
+        &mut self,
+        features: &[Feature],
+        range: Range<usize>,
+        budget: &Budget,
+    ) -> Result<(), Interrupt> {
         if range.is_empty() {
-            return;
+            return Ok(());
+        }
+        if range.len() > FEATURES_BETWEEN_CHECKS {
+            budget.check(0)?;
         }
         let at = self.0.len();
         let sector = around(&features[range.clone()]);
@@ -46,10 +61,11 @@ impl Bundles {
         self.0.push(Bundle { sector, features: numbers, next: 0 });
         if range.len() > BUNDLED {
             let middle = range.start.midpoint(range.end);
-            self.push(features, range.start..middle);
-            self.push(features, middle..range.end);
+            self.push(features, range.start..middle, budget)?;
+            self.push(features, middle..range.end, budget)?;
         }
         self.0[at].next = self.0.len() as u32;
+        Ok(())
     }
 
     /// The first bundle from `at` on, itself not divided further, whose features a tangent that leaves `ahead` on `side`
@@ -126,7 +142,7 @@ mod tests {
                 let first = features.len();
                 let outline = crate::barrier::Outline { ring: &ring, clearance, owner };
                 outline.add_features(&mut features, &Budget::unlimited()).expect("no limit");
-                bundles.push(&features, first..features.len());
+                bundles.push(&features, first..features.len(), &Budget::unlimited()).expect("no limit");
             }
             let sectors: Vec<Sector> = features.iter().map(Sector::of).collect();
             for (from, ahead) in sectors.iter().enumerate() {

@@ -98,10 +98,18 @@ impl<'a> Known<'a> {
         self.free.resize_with(self.features.len(), OnceCell::new);
         let features = first..self.features.len();
         let bundles = self.bundles.len();
-        self.bundles.push(&self.features, features.clone());
+        self.bundles.push(&self.features, features.clone(), budget)?;
         let bundles = bundles..self.bundles.len();
-        let has_same_circles =
-            features.clone().any(|feature| self.on_same_circle(feature as u32).next().is_some());
+        let mut has_same_circles = false;
+        for feature in features.clone() {
+            if feature % FEATURES_BETWEEN_CHECKS == 0 {
+                budget.check(0)?;
+            }
+            has_same_circles |= self.on_same_circle(feature as u32).next().is_some();
+            if has_same_circles {
+                break;
+            }
+        }
         Ok(Met { features, bundles, has_same_circles })
     }
 

@@ -38,7 +38,7 @@ use known::Way;
 pub(crate) use label::{Route, Stop};
 pub(crate) use sector::Sector;
 pub(crate) use seen::Moves;
-pub(crate) use shortest::Search;
+pub(crate) use shortest::{LABEL_LIMIT, Search};
 pub(crate) use spread::{Goal, Sighted, Spread};
 pub(crate) use tangent::Tangent;
 pub(crate) use tree::Room;

@@ -22,7 +22,7 @@ use std::ops::Range;
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// Most labels of one search: about 60 MB. Giving back more would take longer than a cancelled call may go on.
-pub(super) const LABEL_LIMIT: usize = 1_000_000;
+pub(crate) const LABEL_LIMIT: usize = 1_000_000;
 
 /// The budget is looked at once for so many features.
 const FEATURES_BETWEEN_CHECKS: usize = 256;
