@@ -10,9 +10,11 @@
 use rand::RngExt;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
-use traverse_proto::{CheckQuestion, Limits, PlanQuestion, v1};
+use traverse_geometry::Scene;
+use traverse_planner::SceneEdit;
+use traverse_proto::{CheckQuestion, Limits, OrderQuestion, PlanQuestion, ToolChangeQuestion, v1};
 use traverse_server::{Engines, TraverseEngines};
-use traverse_solve::{Budget, CancelToken, Seed};
+use traverse_solve::{Budget, CancelToken, Seed, Silent};
 
 /// Cancels per request and engine.
 const CANCELS: u64 = 40;
@@ -37,7 +39,61 @@ fn main() {
             let question = CheckQuestion::from_wire(check.clone(), &Limits::default(), budget);
             question.is_ok_and(|question| TraverseEngines.check_rapid_move(&question, budget).is_some())
         });
+        let budget = Budget::unlimited();
+        let question = PlanQuestion::from_wire(request.clone(), &Limits::default(), &budget).unwrap();
+        measure(&format!("session {name}"), |budget| session(&question, budget));
+        let change = change(&request);
+        measure(&format!("tool change {name}"), |budget| {
+            let question = ToolChangeQuestion::from_wire(change.clone(), &Limits::default(), budget);
+            question.is_ok_and(|question| {
+                TraverseEngines.place_tool_change(&question.scene, &question.change, budget).is_ok()
+            })
+        });
     }
+    let sections = sections(10_000);
+    measure("order 10000 sections", |budget| {
+        let question = OrderQuestion::from_wire(sections.clone(), &Limits::default(), budget);
+        question.is_ok_and(|question| TraverseEngines.order_sections(&question, budget, &mut Silent).is_ok())
+    });
+}
+
+/// An empty scene to which all obstacles are put; it is triangulated, and one move planned.
+fn session(question: &PlanQuestion, budget: &Budget) -> bool {
+    let empty = Scene { obstacles: vec![], ..question.scene.clone() };
+    let put = question.scene.obstacles.clone();
+    let Ok(mut scene) = TraverseEngines.prepare_scene(empty, budget) else { return false };
+    scene.edit(SceneEdit { put, remove: vec![] }, budget).is_ok()
+        && scene.triangulate(budget).is_ok()
+        && TraverseEngines.plan_in_scene(&mut scene, &question.query, budget).is_ok()
+}
+
+/// A tool change far aside of a rapid move.
+fn change(request: &v1::PlanRapidMoveRequest) -> v1::PlaceToolChangeRequest {
+    let xy_mm = vec![-5100.0, 3000.0, -5000.0, 3000.0, -5000.0, 3100.0, -5100.0, 3100.0];
+    let outer = Some(v1::Ring { xy_mm, bulges: vec![] });
+    v1::PlaceToolChangeRequest {
+        scene: request.scene.clone(),
+        start: request.start,
+        target: request.target,
+        regions: vec![v1::Polygon { outer, holes: vec![] }],
+        ..Default::default()
+    }
+}
+
+/// Ragged sections of 16 corners.
+fn sections(count: usize) -> v1::OrderSectionsRequest {
+    let mut random = Seed(1).stream();
+    let sections = (0..count).map(|i| {
+        let mut edge = |x: f64| (0..8).map(|_| x + random.random_range(-9.0..9.0)).collect::<Vec<f64>>();
+        let (left, right) = (edge(10.0), edge(60.0));
+        let up = right.iter().enumerate().map(|(at, &x)| [x, at as f64 * 10.0]);
+        let down = left.iter().enumerate().rev().map(|(at, &x)| [x, at as f64 * 10.0]);
+        let outer = Some(v1::Ring { xy_mm: up.chain(down).flatten().collect(), bulges: vec![] });
+        let shape = Some(v1::Polygon { outer, holes: vec![] });
+        let part = v1::Part { id: "p".to_owned(), shape, ..Default::default() };
+        v1::Section { id: format!("s{i}"), parts: vec![part], ..Default::default() }
+    });
+    v1::OrderSectionsRequest { sections: sections.collect(), gap_mm: 1.0, ..Default::default() }
 }
 
 /// Runs `work` to its end once, or for 2 s, then cancels it at random moments of that time.
