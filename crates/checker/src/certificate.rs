@@ -1,6 +1,5 @@
 //! What is said to prove a lower bound of a layout, in the checker's own terms, and what is wrong with it as it stands.
 
-use std::collections::HashSet;
 use traverse_geometry::{Finding, Reason, SectionLayout, SlideRule};
 
 /// What is said to prove that no layout is shorter.
@@ -128,6 +127,8 @@ impl Found {
             self.add("sets", Reason::TooMany, listed, message);
             return;
         }
+        // The last set, counted from 1, in which each node stood.
+        let mut seen_in = vec![0; nodes];
         for (number, (members, weight)) in sets.iter().enumerate() {
             let field = format!("sets[{number}]");
             self.finite(&format!("{field}.weight"), *weight);
@@ -135,18 +136,19 @@ impl Found {
                 let message = format!("{weight} is negative; send 0 or more");
                 self.add(format!("{field}.weight"), Reason::OutOfRange, weight, message);
             }
-            let mut seen = HashSet::new();
+            let mut different = 0;
             for (at, &node) in members.iter().enumerate() {
                 let wrong = if node >= nodes {
                     format!("there is no node {node}; the layout has {nodes}, counted from 0")
-                } else if !seen.insert(node) {
+                } else if std::mem::replace(&mut seen_in[node], number + 1) == number + 1 {
                     format!("node {node} stands in the set twice; list each once")
                 } else {
+                    different += 1;
                     continue;
                 };
                 self.add(format!("{field}.nodes[{at}]"), Reason::OutOfRange, node, wrong);
             }
-            if members.is_empty() || seen.len() >= nodes {
+            if members.is_empty() || different >= nodes {
                 let message = format!(
                     "{} of {nodes} nodes given: no layout must leave such a set; list some, not all",
                     members.len()

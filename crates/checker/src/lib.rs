@@ -28,6 +28,7 @@
 
 mod arc_distance;
 mod as_run;
+mod bound_claim;
 mod boundary;
 mod boundary_tree;
 mod certificate;
@@ -65,6 +66,7 @@ mod touching;
 mod violation;
 mod witness;
 
+pub use bound_claim::{BoundClaim, check_certified_sections_while};
 pub use certificate::{
     CERTIFICATE_NODE_LIMIT, CERTIFIED_PAIR_LIMIT, JoinPrices, LARGEST_DUAL_MM, LayoutCertificate,
     certificate_findings,

@@ -13,7 +13,7 @@ from .arc import Arc
 from .client import Client
 from .effort import Algorithm, Effort
 from .error import CallFailed, Finding, RequestRefused, ServerBusy, ServerUnavailable, TimeOver
-from .layout import Layout, LayoutRules, PlacedSection, Pose, Section
+from .layout import Certificate, Layout, LayoutRules, PlacedSection, Pose, Section
 from .path import Path, Step
 from .picture import picture
 from .point import Point
@@ -27,6 +27,7 @@ __all__ = [
     "Arc",
     "CallFailed",
     "Check",
+    "Certificate",
     "Client",
     "CornerStyle",
     "Effort",
