@@ -9,7 +9,7 @@ use traverse_geometry::{Section, SectionLayout};
 /// A bound of the engine counts in steps of this share of the longest join, or in nanometres where those are more.
 const ENGINE_STEP_RATIO: f64 = 1e-10;
 
-/// The lower bound that `certificate` proves of every layout that answers `layout`, millimetres, 0 or more; 0 as well where
+/// The lower bound that `certificate` proves of every layout that answers `layout` and is reached by sliding, millimetres, 0 or more; 0 as well where
 /// [`crate::certificate_findings`] has something to say. It shares no joins with the solver: of each two sections it
 /// measures, flank against flank, how far they keep each other apart. Rounding lowers it, never raises it.
 ///

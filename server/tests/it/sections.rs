@@ -322,18 +322,25 @@ async fn what_an_answer_certifies_is_recomputed() {
     let proven = found.certified_lower_bound_mm.expect("recomputed");
     assert!((proven - claimed).abs() < 1e-5 && proven <= answer.length_mm, "{proven} of {claimed}");
 
-    // Claimed too much: a violation. Duals that ask too much: they prove no more than before.
+    // Claimed too much: a violation. Duals that ask too much prove no more than before.
     let dearer = v1::CheckSectionsRequest { claimed_lower_bound_mm: Some(claimed + 1.0), ..check.clone() };
     let found = ask(dearer).await;
     let [violation] = &found.violations[..] else { panic!("{found:?}") };
     assert_eq!(violation.reason, "BOUND_NOT_PROVEN");
     assert_eq!(violation.field, "claimed_lower_bound_mm");
     assert!((violation.amount - 1.0).abs() < 1e-5, "{violation:?}");
-    let mut certificate = check.certificate.clone().expect("sent");
-    assert!(!certificate.row_duals.is_empty());
-    certificate.row_duals[0] += 1_000.0;
-    let found = ask(v1::CheckSectionsRequest { certificate: Some(certificate), ..check }).await;
-    assert!(found.certified_lower_bound_mm.expect("recomputed") <= answer.length_mm, "{found:?}");
+    let proves = |first: f64| {
+        let row_duals = vec![first, 30.0, 60.0, 0.0];
+        let certificate =
+            Some(v1::Certificate { row_duals, column_duals: vec![0.0; 4], ..Default::default() });
+        let check = v1::CheckSectionsRequest { certificate, claimed_lower_bound_mm: None, ..check.clone() };
+        async { ask(check).await.certified_lower_bound_mm.expect("recomputed") }
+    };
+    // The notch, twice the block, and the arrow up to the notch.
+    let proven = proves(90.0).await;
+    assert!(proven <= 210.0 && proven > 210.0 - 1e-6, "{proven}");
+    let dearer = proves(1_090.0).await;
+    assert!(dearer <= 210.0 && dearer > 210.0 - 1e-6, "{dearer}");
 }
 
 #[tokio::test]

@@ -2,10 +2,10 @@
 
 use crate::making::*;
 use traverse_checker::{
-    CERTIFIED_PAIR_LIMIT, JoinPrices, LayoutCertificate, certificate_findings, certified_bound_mm,
-    claim_tolerance_mm,
+    BoundClaim, CERTIFIED_PAIR_LIMIT, JoinPrices, LayoutCertificate, ViolationReason, certificate_findings,
+    certified_bound_mm, check_certified_sections_while, claim_tolerance_mm,
 };
-use traverse_geometry::{Pose, Reason, Section, SectionLayout, SlideRule};
+use traverse_geometry::{PlacedSection, Pose, Reason, Section, SectionLayout, SlideRule};
 
 fn joins(rows_mm: &[f64], columns_mm: &[f64], sets: &[(&[usize], f64)]) -> LayoutCertificate {
     LayoutCertificate::Joins(JoinPrices {
@@ -167,4 +167,27 @@ fn claims_are_compared_join_by_join() {
     assert_eq!(claim_tolerance_mm(&layout, 1e-6), 3e-6);
     layout.sections[1].quantity = 9;
     assert_eq!(claim_tolerance_mm(&layout, 1e-3), 11e-3);
+}
+
+#[test]
+fn a_claim_beyond_what_is_proven_is_a_violation_beside_the_layouts_own() {
+    let layout = boxes();
+    let claimed = |mm: Option<f64>, order: &[PlacedSection]| {
+        let certificate = LayoutCertificate::Height { y_mm: 5.0 };
+        let claim = BoundClaim { certificate, lower_bound_mm: mm };
+        check_certified_sections_while(&layout, order, &claim, TOLERANCE, &|| true).expect("not given up")
+    };
+    let order = [at(0, 0.0), at(1, 12.0)];
+    for sound in [None, Some(0.0), Some(18.0), Some(18.0 + 2.9e-6)] {
+        let found = claimed(sound, &order);
+        assert!(found.is_sound(), "{:?}", found.violations);
+        near(found.certified_bound_mm.expect("asked for"), 18.0);
+    }
+    let found = claimed(Some(18.5), &order);
+    let [violation] = &found.violations[..] else { panic!("{found:?}") };
+    assert_eq!(violation.reason, ViolationReason::BoundNotProven);
+    assert!((violation.amount - 0.5).abs() < 1e-9, "{violation}");
+    let nearer = claimed(Some(f64::NAN), &[at(0, 0.0), at(1, 11.0)]);
+    let reasons: Vec<_> = nearer.violations.iter().map(|violation| violation.reason).collect();
+    assert_eq!(reasons, [ViolationReason::SectionsTooClose, ViolationReason::BoundNotProven]);
 }
