@@ -32,8 +32,8 @@ pub fn check_certified_sections_while(
     check.certified_bound_mm = Some(proven);
     if let Some(claimed) = claim.lower_bound_mm {
         let allowed = claim_tolerance_mm(layout, tolerance_mm.max(SMALLEST_TOLERANCE_MM));
-        // No number exceeds nothing.
-        if !(claimed <= proven + allowed) {
+        // What is no number can't be proven.
+        if claimed.is_nan() || claimed > proven + allowed {
             check.violations.truncate(VIOLATION_LIMIT - 1);
             check.violations.push(not_proven(claimed, proven));
         }

@@ -26,12 +26,15 @@ pub fn certified_bound_mm_while(
     certificate: &LayoutCertificate,
     go_on: &dyn Fn() -> bool,
 ) -> Option<f64> {
-    let is_sound = layout.gap_mm.is_finite()
-        && layout.gap_mm >= 0.0
-        && layout.sections.iter().all(|section| {
-            let bounds = section.bounds();
-            !section.poses.is_empty() && [bounds.min, bounds.max].iter().all(|p| (p.x + p.y).is_finite())
-        });
+    let mut is_sound = layout.gap_mm.is_finite() && layout.gap_mm >= 0.0;
+    for section in &layout.sections {
+        if !go_on() {
+            return None;
+        }
+        let bounds = section.bounds();
+        let is_somewhere = [bounds.min, bounds.max].iter().all(|p| (p.x + p.y).is_finite());
+        is_sound &= is_somewhere && !section.poses.is_empty();
+    }
     if !is_sound || !certificate_findings(layout, certificate).is_empty() {
         return go_on().then_some(0.0);
     }

@@ -123,7 +123,9 @@ impl<'a> Arcs<'a> {
             forbidden: layout.forbidden_joins.iter().copied().collect(),
             looking_right: all(Facing::Right)?,
             looking_left: all(Facing::Left)?,
-            widths: layout.sections.iter().map(|section| section.bounds().size().x).collect(),
+            widths: (layout.sections.iter())
+                .map(|section| go_on().then(|| section.bounds().size().x))
+                .collect::<Option<_>>()?,
             offsets: LeastOffset::new(layout.gap_mm, go_on),
         })
     }
