@@ -3,7 +3,7 @@
 use crate::arguments::Check;
 use crate::failure::Failure;
 use crate::{input, planning};
-use traverse_proto::v1;
+use traverse_proto::{check_sections_request, v1};
 
 pub(crate) async fn run(arguments: Check) -> Result<(), Failure> {
     let bytes = input::read(&arguments.request)?;
@@ -32,13 +32,15 @@ async fn sections(arguments: &Check, request: v1::OrderSectionsRequest) -> Resul
         return Err(Failure::Input(format!("{} holds no layout to check", arguments.plan.display())));
     }
     let question = v1::CheckSectionsRequest {
-        request: Some(request),
-        order: answer.order,
         tolerance_mm: arguments.tolerance,
+        ..check_sections_request(request, &answer)
     };
     let caller = planning::caller(arguments.server.as_deref())?;
     let found = planning::check_sections(&caller, &question).await?;
     say!("length, recomputed  {:.6} mm (the layout says {:.6})", found.length_mm, answer.length_mm);
+    if let (Some(proven), Some(claimed)) = (found.certified_lower_bound_mm, question.claimed_lower_bound_mm) {
+        say!("certified bound     {proven:.6} mm, recomputed (the layout says {claimed:.6})");
+    }
     verdict(found.smallest_margin_mm, &found.violations)
 }
 

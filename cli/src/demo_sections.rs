@@ -54,12 +54,13 @@ async fn show(
     let mut request = order_request(&layout, &OrderOptions::default());
     request.return_contacts = true;
     if let Some(options) = &mut request.options {
+        options.return_certificate = true;
         options.time_limit = prost_types::Duration::try_from(TIME_LIMIT).ok();
     }
     let sent = Instant::now();
     let answer = client.order_sections(request.clone()).await.map_err(refused)?.into_inner();
     let call = sent.elapsed();
-    let check = check_sections_request(request, answer.order.clone());
+    let check = check_sections_request(request, &answer);
     let found = client.check_sections(check).await.map_err(refused)?.into_inner();
     let checked = if found.violations.is_empty() { "sound" } else { "REFUSED" };
     let title = format!("{NAME}: {}", question.name.replace('-', " "));

@@ -1,4 +1,4 @@
-//! `traverse order`.
+//! `traverse order`: orders, writes, says, and has its own answer checked.
 
 use crate::failure::Failure;
 use crate::live_line::{WatchedEngines, has_terminal};
@@ -12,7 +12,7 @@ use std::time::Duration;
 use traverse_drawing::{ShownLayout, picture_of_layout, write_layout_dxf};
 use traverse_geometry::{PlacedSection, Point, SectionLayout};
 use traverse_layout_sequencing::{Algorithm, EffectModel, InnerOverlap, OrderOptions};
-use traverse_proto::{order_from_wire, order_request, v1};
+use traverse_proto::{check_sections_request, order_from_wire, order_request, v1};
 use traverse_server::{Caller, Config, Server, TraverseEngines};
 use traverse_solve::Seed;
 
@@ -31,7 +31,8 @@ pub(crate) async fn run(arguments: Order) -> Result<(), Failure> {
     if let Some(path) = &arguments.request {
         input::write(path, planning::request_json("OrderSections", &request)?)?;
     }
-    let (answer, text) = planning::order(&caller(&arguments)?, &request).await?;
+    let caller = caller(&arguments)?;
+    let (answer, text) = planning::order(&caller, &request).await?;
     if answer.no_order {
         return Err(Failure::NoPath(
             "forbidden joins, ends and precedences leave no order: proven".to_owned(),
@@ -63,7 +64,29 @@ pub(crate) async fn run(arguments: Order) -> Result<(), Failure> {
     for line in order_table::lines(&layout, &answer) {
         say!("{line}");
     }
-    Ok(())
+    check(&caller, request, &answer).await
+}
+
+/// Has the checker look at the layout and at what certifies its bound, and says what it found.
+async fn check(
+    caller: &Caller,
+    request: v1::OrderSectionsRequest,
+    answer: &v1::OrderSectionsResponse,
+) -> Result<(), Failure> {
+    let question = check_sections_request(request, answer);
+    match planning::check_sections(caller, &question).await {
+        Ok(found) if found.violations.is_empty() => {
+            say!("{}", order_table::checked(&found));
+            Ok(())
+        }
+        Ok(found) => Err(Failure::Violations(order_table::violated(&found))),
+        // The layout is an answer all the same.
+        Err(Failure::NotNow(why)) => {
+            say!("checked          no: {why}");
+            Ok(())
+        }
+        Err(failure) => Err(failure),
+    }
 }
 
 /// The request that the command line asks for.
@@ -92,6 +115,7 @@ fn request(layout: &SectionLayout, arguments: &Order) -> v1::OrderSectionsReques
         options.iteration_limit = arguments.iteration_limit;
         options.gap_limit = arguments.gap_limit;
         options.thread_count = arguments.threads;
+        options.return_certificate = true;
     }
     request.return_contacts = true;
     request

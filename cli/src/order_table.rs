@@ -1,4 +1,4 @@
-//! What `traverse order` prints: the order as a table, lengths, how good it is.
+//! What `traverse order` prints: the order as a table, lengths, how good it is, what the checker says.
 
 use crate::rapid::duration;
 use traverse_geometry::SectionLayout;
@@ -47,6 +47,23 @@ pub(crate) fn lines(layout: &SectionLayout, answer: &v1::OrderSectionsResponse) 
         lines.extend(report_lines(report, length));
     }
     lines
+}
+
+/// What the checker says of a sound layout.
+pub(crate) fn checked(found: &v1::CheckSectionsResponse) -> String {
+    let bound = match found.certified_lower_bound_mm {
+        Some(proven) => format!("; its certificate, recomputed, proves {proven:.6} mm"),
+        None => String::new(),
+    };
+    format!("checked          sound, {:.6} mm long{bound}", found.length_mm)
+}
+
+/// What the checker says of one that is not.
+pub(crate) fn violated(found: &v1::CheckSectionsResponse) -> String {
+    let first = found.violations.first();
+    let first =
+        first.map(|violation| format!("{} {}: {}", violation.reason, violation.field, violation.message));
+    format!("the checker found {} violations: {}", found.violations.len(), first.unwrap_or_default())
 }
 
 fn report_lines(report: &v1::SolveReport, length: f64) -> Vec<String> {

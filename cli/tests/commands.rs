@@ -213,7 +213,16 @@ fn sections_are_ordered_written_and_checked_here_and_on_a_server() {
     assert!(std::fs::read_to_string(&svg).unwrap().contains("saved"));
     assert_eq!(&std::fs::read(&png).unwrap()[1..4], b"PNG");
     assert!(std::fs::read_to_string(&dxf).unwrap().contains("TRAVERSE_PARTS"));
-    assert_ends(&traverse(&["check", &request, &json]), 0, "sound");
+    assert!(table.contains("checked          sound") && table.contains("recomputed, proves"), "{table}");
+    let checked = traverse(&["check", &request, &json]);
+    assert_ends(&checked, 0, "sound");
+    assert!(text(&checked.stdout).contains("certified bound"), "{}", text(&checked.stdout));
+    let mut bold: serde_json::Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let claimed = &mut bold["report"]["certifiedLowerBound"];
+    *claimed = (claimed.as_f64().unwrap() + 1.0).into();
+    let claims = at("claims.json");
+    std::fs::write(&claims, bold.to_string()).unwrap();
+    assert_ends(&traverse(&["check", &request, &claims]), 5, "violations");
 
     let mut layout: serde_json::Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
     let x = &mut layout["order"][4]["xMm"];

@@ -1,7 +1,9 @@
 //! What the services call to get answers: the engines, behind a trait so that tests can put one in that waits, counts or
 //! panics.
 
-use traverse_checker::{PathCheck, SectionsCheck, check_rapid_move_by_while, check_sections_while};
+use traverse_checker::{
+    PathCheck, SectionsCheck, check_certified_sections_while, check_rapid_move_by_while, check_sections_while,
+};
 use traverse_geometry::{Finding, Scene};
 use traverse_layout_sequencing::{JoinMatrix, LayoutAnswer, joins, order_sections};
 use traverse_planner::{
@@ -101,10 +103,14 @@ pub trait Engines: Send + Sync + 'static {
         joins(&question.layout, question.options.effect_model, question.options.threads, budget)
     }
 
-    /// Checks a layout of sections. None: the budget ended first.
+    /// Checks a layout of sections, and what certifies its bound. None: the budget ended first.
     fn check_sections(&self, question: &CheckSectionsQuestion, budget: &Budget) -> Option<SectionsCheck> {
         let go_on = || budget.check(0).is_ok();
-        check_sections_while(&question.layout, &question.order, question.tolerance_mm, &go_on)
+        let CheckSectionsQuestion { layout, order, tolerance_mm, bound_claim, .. } = question;
+        match bound_claim {
+            None => check_sections_while(layout, order, *tolerance_mm, &go_on),
+            Some(claim) => check_certified_sections_while(layout, order, claim, *tolerance_mm, &go_on),
+        }
     }
 }
 

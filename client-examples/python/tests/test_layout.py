@@ -28,6 +28,14 @@ def test_sections_join_tightly_and_the_check_finds_them_sound(client: Client) ->
     assert layout.proven and layout.lower_bound_mm == layout.length_mm
     sound = client.check_sections([NOTCH, ARROW], LayoutRules(), layout.order)
     assert sound.violations == () and sound.cost_mm == pytest.approx(layout.length_mm)
+    assert sound.certified_bound_mm is None
+    assert layout.certificate is not None
+    proven = client.check_sections([NOTCH, ARROW], LayoutRules(), layout.order, certificate=layout.certificate)
+    assert proven.violations == ()
+    assert proven.certified_bound_mm == pytest.approx(layout.certificate.lower_bound_mm, abs=1e-5)
+    bolder = replace(layout.certificate, lower_bound_mm=layout.certificate.lower_bound_mm + 1)
+    claimed = client.check_sections([NOTCH, ARROW], LayoutRules(), layout.order, certificate=bolder)
+    assert [each.reason for each in claimed.violations] == ["BOUND_NOT_PROVEN"]
     nearer = (layout.order[0], replace(layout.order[1], x_mm=layout.order[1].x_mm - 1))
     found = client.check_sections([NOTCH, ARROW], LayoutRules(), nearer)
     assert [each.reason for each in found.violations] == ["SECTIONS_OVERLAP"]

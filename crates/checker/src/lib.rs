@@ -28,16 +28,24 @@
 
 mod arc_distance;
 mod as_run;
+mod bound_claim;
 mod boundary;
 mod boundary_tree;
+mod certificate;
+mod certified_bound;
 mod clearance;
 mod contact;
 mod cost;
 mod curve;
 mod curve_cuts;
+mod exact_sum;
+mod flank;
+mod flank_meeting;
 mod heights;
 mod inside;
+mod join_prices;
 mod kinematics;
+mod least_offset;
 mod leg;
 mod message;
 mod mitre;
@@ -52,11 +60,18 @@ mod seam;
 mod section;
 mod section_pair;
 mod sections_check;
+mod silhouette;
 mod strip;
 mod touching;
 mod violation;
 mod witness;
 
+pub use bound_claim::{BoundClaim, check_certified_sections_while};
+pub use certificate::{
+    CERTIFICATE_NODE_LIMIT, CERTIFIED_PAIR_LIMIT, JoinPrices, LARGEST_DUAL_MM, LayoutCertificate,
+    certificate_findings,
+};
+pub use certified_bound::{certified_bound_mm, certified_bound_mm_while, claim_tolerance_mm};
 pub use part_overlaps::{OVERLAP_LIMIT, PartOverlap, part_overlaps_while};
 pub use place_check::{PlaceCheck, PlacedChange, check_tool_change};
 pub use rapid_check::{

@@ -20,6 +20,9 @@ pub struct SectionsCheck {
     /// The least distance between parts of two sections, less the gap asked for; where one lies in the other, minus
     /// the depth less the gap. None: fewer than two sections, or nothing could be measured.
     pub smallest_margin_mm: Option<f64>,
+    /// The length below which no layout is, as far as the certificate that was checked with it proves, millimetres. None:
+    /// there was none.
+    pub certified_bound_mm: Option<f64>,
 }
 
 impl SectionsCheck {
@@ -32,7 +35,8 @@ impl SectionsCheck {
 
 /// Checks `order`, from left to right, against `layout`. Parts of different sections that come less than `tolerance_mm`
 /// nearer than the gap count as placed right; [`traverse_geometry::CONTACT_TOLERANCE_MM`] is what layouts are made for.
-/// That no shorter layout exists, or that sections could not slide further left, is not checked.
+/// That no shorter layout exists, or that sections could not slide further left, is not checked; what a
+/// certificate proves of it is ([`crate::check_certified_sections_while`]).
 ///
 /// Cost: O(n log n) for n vertices of all sections in all poses that occur, and for each pair of sections near each other
 /// the edges that are near.
@@ -68,7 +72,12 @@ pub fn check_sections_while(
                 ..at_index(0, "", ViolationReason::NotFinite, message, 0.0)
             });
         }
-        return Some(SectionsCheck { violations, length_mm: 0.0, smallest_margin_mm: None });
+        return Some(SectionsCheck {
+            violations,
+            length_mm: 0.0,
+            smallest_margin_mm: None,
+            certified_bound_mm: None,
+        });
     }
     let tolerance = tolerance_mm.max(SMALLEST_TOLERANCE_MM);
     order_violations(layout, order, tolerance, &mut report);
@@ -76,7 +85,12 @@ pub fn check_sections_while(
     strip.make_ready()?;
     strip.heights(&mut report);
     let smallest_margin_mm = strip.distances(&mut violations)?;
-    Some(SectionsCheck { length_mm: strip.length(), violations, smallest_margin_mm })
+    Some(SectionsCheck {
+        length_mm: strip.length(),
+        violations,
+        smallest_margin_mm,
+        certified_bound_mm: None,
+    })
 }
 
 /// The strip and what lies on it.

@@ -105,6 +105,8 @@ reasons! {
     SectionsTooClose = "SECTIONS_TOO_CLOSE",
     /// Parts of two sections lie in one another. Amount: how deep, plus the gap.
     SectionsOverlap = "SECTIONS_OVERLAP",
+    /// A lower bound is claimed that its certificate does not prove. Amount: how much more is claimed.
+    BoundNotProven = "BOUND_NOT_PROVEN",
     /// The tool is changed where no region and no point permits it. Amount: how far from the nearest; 0 where nothing
     /// is permitted.
     PlaceNotPermitted = "PLACE_NOT_PERMITTED",

@@ -83,11 +83,15 @@ async fn sections_are_ordered_and_their_check_finds_the_layout_sound() {
     assert!((joins.effect_mm[2 * 3] - 40.0).abs() < 1e-5, "{joins:?}");
     assert_eq!(answer.contacts.len(), 3);
 
-    let check =
-        v1::CheckSectionsRequest { request: Some(request), order: answer.order.clone(), tolerance_mm: None };
+    let check = v1::CheckSectionsRequest {
+        request: Some(request),
+        order: answer.order.clone(),
+        ..Default::default()
+    };
     let sound = server.client().await.check_sections(check.clone()).await.expect("sound").into_inner();
     assert_eq!(sound.violations, []);
     assert!((sound.length_mm - answer.length_mm).abs() < 1e-9 && sound.smallest_margin_mm.is_some());
+    assert_eq!(sound.certified_lower_bound_mm, None);
     let mut nearer = check;
     nearer.order[arrow + 1].x_mm -= 0.5;
     let found = server.client().await.check_sections(nearer).await.expect("sound").into_inner();
@@ -295,6 +299,102 @@ async fn too_many_sections_copies_parts_and_returns_are_refused() {
     assert_eq!(fields(refused(&server, parts).await), found(&[("return_parts", "TOO_MANY")]));
 }
 
+/// A request, its answer, and the check of both with the certificate.
+async fn certified(server: &Running) -> (v1::OrderSectionsResponse, v1::CheckSectionsRequest) {
+    let options = Some(v1::SolveOptions { return_certificate: true, ..Default::default() });
+    let request = v1::OrderSectionsRequest { options, ..arrows() };
+    let answer = ordered(server, request.clone()).await;
+    let check = traverse_proto::check_sections_request(request, &answer);
+    (answer, check)
+}
+
+#[tokio::test]
+async fn what_an_answer_certifies_is_recomputed() {
+    let server = Running::start().await;
+    let (answer, check) = certified(&server).await;
+    let claimed = answer.report.expect("told").certified_lower_bound.expect("certified");
+    assert_eq!(check.claimed_lower_bound_mm, Some(claimed));
+    let ask = |check: v1::CheckSectionsRequest| async {
+        server.client().await.check_sections(check).await.expect("sound").into_inner()
+    };
+    let found = ask(check.clone()).await;
+    assert_eq!(found.violations, []);
+    let proven = found.certified_lower_bound_mm.expect("recomputed");
+    assert!((proven - claimed).abs() < 1e-5 && proven <= answer.length_mm, "{proven} of {claimed}");
+
+    // Claimed too much: a violation. Duals that ask too much prove no more than before.
+    let dearer = v1::CheckSectionsRequest { claimed_lower_bound_mm: Some(claimed + 1.0), ..check.clone() };
+    let found = ask(dearer).await;
+    let [violation] = &found.violations[..] else { panic!("{found:?}") };
+    assert_eq!(violation.reason, "BOUND_NOT_PROVEN");
+    assert_eq!(violation.field, "claimed_lower_bound_mm");
+    assert!((violation.amount - 1.0).abs() < 1e-5, "{violation:?}");
+    let proves = |first: f64| {
+        let row_duals = vec![first, 30.0, 60.0, 0.0];
+        let certificate =
+            Some(v1::Certificate { row_duals, column_duals: vec![0.0; 4], ..Default::default() });
+        let check = v1::CheckSectionsRequest { certificate, claimed_lower_bound_mm: None, ..check.clone() };
+        async { ask(check).await.certified_lower_bound_mm.expect("recomputed") }
+    };
+    // The notch, twice the block, and the arrow up to the notch.
+    let proven = proves(90.0).await;
+    assert!(proven <= 210.0 && proven > 210.0 - 1e-6, "{proven}");
+    let dearer = proves(1_090.0).await;
+    assert!(dearer <= 210.0 && dearer > 210.0 - 1e-6, "{dearer}");
+}
+
+#[tokio::test]
+async fn certificates_that_do_not_fit_are_refused_with_their_fields() {
+    let server = Running::start().await;
+    let (_, check) = certified(&server).await;
+    let refused = |certificate: Option<v1::Certificate>| {
+        let check = v1::CheckSectionsRequest { certificate, ..check.clone() };
+        async {
+            let status = server.client().await.check_sections(check).await.expect_err("it does not fit");
+            assert_eq!(status.code(), Code::InvalidArgument);
+            findings(&status)
+        }
+    };
+    let duals = |count: usize| v1::Certificate {
+        row_duals: vec![0.0; count],
+        column_duals: vec![0.0; count],
+        ..Default::default()
+    };
+    let with_set = |nodes: Vec<i32>, weight: f64| v1::Certificate {
+        sets: vec![v1::DualSet { nodes, weight }],
+        ..duals(4)
+    };
+    assert_eq!(refused(None).await, found(&[("claimed_lower_bound_mm", "NOT_APPLICABLE")]));
+    let nothing = v1::Certificate::default();
+    assert_eq!(refused(Some(nothing)).await, found(&[("certificate", "MISSING_FIELD")]));
+    let two_kinds = v1::Certificate { height_mm: Some(1.0), ..duals(4) };
+    assert_eq!(refused(Some(two_kinds)).await, found(&[("certificate", "NOT_APPLICABLE")]));
+    assert_eq!(
+        refused(Some(duals(3))).await,
+        found(&[("certificate.row_duals", "OUT_OF_RANGE"), ("certificate.column_duals", "OUT_OF_RANGE")])
+    );
+    let mut broken = duals(4);
+    broken.row_duals[2] = f64::NAN;
+    assert_eq!(refused(Some(broken)).await, found(&[("certificate.row_duals[2]", "NOT_FINITE")]));
+    for (nodes, weight, field) in [
+        (vec![0], -1.0, "certificate.sets[0].weight"),
+        (vec![0, 4], 1.0, "certificate.sets[0].nodes[1]"),
+        (vec![-1], 1.0, "certificate.sets[0].nodes[0]"),
+        (vec![1, 1], 1.0, "certificate.sets[0].nodes[1]"),
+        (vec![0, 1, 2, 3], 1.0, "certificate.sets[0].nodes"),
+    ] {
+        assert_eq!(
+            refused(Some(with_set(nodes, weight))).await,
+            found(&[(field, "OUT_OF_RANGE")]),
+            "{field}"
+        );
+    }
+    let unknown = v1::Certificate { section_id: "nobody".to_owned(), ..Default::default() };
+    assert_eq!(refused(Some(unknown)).await, found(&[("certificate.section_id", "UNKNOWN_ID")]));
+    let nowhere = v1::Certificate { height_mm: Some(f64::INFINITY), ..Default::default() };
+    assert_eq!(refused(Some(nowhere)).await, found(&[("certificate.height_mm", "NOT_FINITE")]));
+}
+
 #[tokio::test]
 async fn what_is_wrong_with_a_check_is_found() {
     let server = Running::start().await;
@@ -308,6 +408,7 @@ async fn what_is_wrong_with_a_check_is_found() {
         request: Some(arrows()),
         order: vec![placed("arrow", 1, 0.0), placed("nobody", 1, 0.0), placed("notch", 9, 0.0)],
         tolerance_mm: Some(2.0),
+        ..Default::default()
     };
     let refused = |check: v1::CheckSectionsRequest| async {
         server.client().await.check_sections(check).await.expect_err("something is wrong")

@@ -13,7 +13,7 @@ from .arc import Arc
 from .client import Client
 from .effort import Algorithm, Effort
 from .error import CallFailed, Finding, RequestRefused, ServerBusy, ServerUnavailable, TimeOver
-from .layout import Layout, LayoutRules, PlacedSection, Pose, Section
+from .layout import Certificate, Layout, LayoutRules, PlacedSection, Pose, Section
 from .path import Path, Step
 from .picture import picture
 from .point import Point
@@ -26,6 +26,7 @@ __all__ = [
     "Algorithm",
     "Arc",
     "CallFailed",
+    "Certificate",
     "Check",
     "Client",
     "CornerStyle",

@@ -103,6 +103,8 @@ class Check:
     """Recomputed, millimetres: travel, or the length of a layout."""
     smallest_margin_mm: float | None
     """Least distance beyond the clearance, or the gap; negative: too near. None: nothing is in the way."""
+    certified_bound_mm: float | None = None
+    """No layout is shorter: recomputed from its certificate. None: a path, or a layout that came without one."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from google.protobuf.message import Message
 from . import wire
 from .answer import Check, Limits, NoPath, RapidPlan
 from .effort import Effort
-from .layout import Layout, LayoutRules, PlacedSection, Section
+from .layout import Certificate, Layout, LayoutRules, PlacedSection, Section
 from .path import Path
 from .retry import Retry
 from .scene import Scene
@@ -183,14 +183,16 @@ class Client:
         order: Iterable[PlacedSection],
         *,
         tolerance_mm: float | None = None,
+        certificate: Certificate | None = None,
         deadline: float | None = None,
     ) -> Check:
         """Checks a layout, wherever it came from, by code that shares nothing with the solver.
 
         tolerance_mm: how much nearer than the gap parts of different sections may come. None: 1e-6.
+        certificate: of a layout's bound, to be recomputed as well.
         """
         asked = wire.order_message(sections, rules, None)
-        request = wire.check_layout_message(asked, order, tolerance_mm)
+        request = wire.check_layout_message(asked, order, tolerance_mm, certificate)
         return wire.layout_check(self._call("CheckSections", request, sections_pb2.CheckSectionsResponse, deadline))
 
     def limits(self, *, deadline: float | None = None) -> Limits:

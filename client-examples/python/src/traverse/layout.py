@@ -64,6 +64,16 @@ class PlacedSection:
 
 
 @dataclass(frozen=True)
+class Certificate:
+    """What proves a lower bound of a layout without any search."""
+
+    lower_bound_mm: float
+    """The bound that it is said to prove; ``check_sections`` recomputes it."""
+    encoded: bytes
+    """The message ``traverse.v1.Certificate``."""
+
+
+@dataclass(frozen=True)
 class Layout:
     """The shortest layout that was found, and how good it is known to be."""
 
@@ -79,6 +89,8 @@ class Layout:
     """Whether length and bound met, or it is proven that there is no order."""
     search: timedelta
     """What the engine took."""
+    certificate: Certificate | None = None
+    """What proves a part of the bound. None: there is none."""
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from datetime import timedelta
 from .answer import Check, Limits, NoPath, RapidPlan, Stats, Violation
 from .arc import Arc
 from .effort import Algorithm, Effort
-from .layout import Layout, LayoutRules, PlacedSection, Pose, Section
+from .layout import Certificate, Layout, LayoutRules, PlacedSection, Pose, Section
 from .path import Path, Step
 from .point import Point
 from .ring import Ring
@@ -103,6 +103,7 @@ def order_message(
         request.forbidden_joins.add(left_section_id=left, right_section_id=right)
     if time_limit is not None:
         request.options.time_limit.FromTimedelta(time_limit)
+    request.options.return_certificate = True
     return request
 
 
@@ -118,11 +119,21 @@ def layout(message: sections_pb2.OrderSectionsResponse) -> Layout:
         message.report.lower_bound,
         message.report.proven_optimal,
         message.report.solve_duration.ToTimedelta(),
+        _certificate(message.report),
     )
 
 
+def _certificate(report: solve_pb2.SolveReport) -> Certificate | None:
+    if not report.HasField("certificate"):
+        return None
+    return Certificate(report.certified_lower_bound, report.certificate.SerializeToString())
+
+
 def check_layout_message(
-    request: sections_pb2.OrderSectionsRequest, order: Iterable[PlacedSection], tolerance_mm: float | None
+    request: sections_pb2.OrderSectionsRequest,
+    order: Iterable[PlacedSection],
+    tolerance_mm: float | None,
+    certificate: Certificate | None,
 ) -> sections_pb2.CheckSectionsRequest:
     """A layout to check."""
     message = sections_pb2.CheckSectionsRequest(request=request, tolerance_mm=tolerance_mm)
@@ -130,6 +141,9 @@ def check_layout_message(
         message.order.add(
             section_id=each.section_id, copy=each.copy, pose=_POSES[each.pose], x_mm=each.x_mm, y_mm=each.y_mm
         )
+    if certificate is not None:
+        message.certificate.ParseFromString(certificate.encoded)
+        message.claimed_lower_bound_mm = certificate.lower_bound_mm
     return message
 
 
@@ -211,7 +225,8 @@ def check(message: rapid_pb2.CheckRapidMoveResponse) -> Check:
 def layout_check(message: sections_pb2.CheckSectionsResponse) -> Check:
     """What the checker found of a layout; its cost is the length."""
     margin = message.smallest_margin_mm if message.HasField("smallest_margin_mm") else None
-    return Check(_violations(message.violations), message.length_mm, margin)
+    bound = message.certified_lower_bound_mm if message.HasField("certified_lower_bound_mm") else None
+    return Check(_violations(message.violations), message.length_mm, margin, bound)
 
 
 def _violations(messages: Iterable[solve_pb2.Violation]) -> tuple[Violation, ...]:

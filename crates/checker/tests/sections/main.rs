@@ -2,6 +2,7 @@
 
 #![allow(clippy::panic, reason = "tests; clippy sees functions that help them as production code")]
 
+mod certificates;
 mod making;
 mod mutation;
 mod oracle;

@@ -4,6 +4,7 @@ use super::layout::WireLayout;
 use super::order::inner_overlap;
 use super::reader::Reader;
 use crate::{Limits, Refused, v1};
+use traverse_checker::BoundClaim;
 use traverse_geometry::{CONTACT_TOLERANCE_MM, Finding, PlacedSection, Reason, SectionLayout};
 use traverse_layout_sequencing::InnerOverlap;
 use traverse_solve::Budget;
@@ -19,6 +20,8 @@ pub struct CheckSectionsQuestion {
     pub order: Vec<PlacedSection>,
     /// How much nearer than the gap parts of different sections may come, millimetres.
     pub tolerance_mm: f64,
+    /// What is said of all layouts beside it.
+    pub bound_claim: Option<BoundClaim>,
 }
 
 impl CheckSectionsQuestion {
@@ -52,12 +55,18 @@ impl CheckSectionsQuestion {
         if let (Some(layout), Some(order), Some(tolerance)) = (&layout, &order, tolerance_mm) {
             reader.heights(&request.order, order, layout, tolerance);
         }
-        let read = layout.zip(order).zip(tolerance_mm).map(|((layout, order), tolerance_mm)| Self {
-            layout,
-            inner_overlap,
-            order,
-            tolerance_mm,
-        });
+        let (certificate, claimed) = (request.certificate, request.claimed_lower_bound_mm);
+        let bound_claim = reader.bound_claim(certificate, claimed, layout.as_ref(), &ids);
+        let read = || {
+            Some(Self {
+                layout: layout?,
+                inner_overlap,
+                order: order?,
+                tolerance_mm: tolerance_mm?,
+                bound_claim: bound_claim?,
+            })
+        };
+        let read = read();
         reader.finish(read)
     }
 }

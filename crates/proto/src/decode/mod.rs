@@ -1,5 +1,6 @@
 //! From the wire to the domain: once, validated, with every finding, or refused.
 
+mod certificate;
 mod check;
 mod check_sections;
 mod cost;

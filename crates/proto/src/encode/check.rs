@@ -24,6 +24,7 @@ pub fn check_sections_answer(check: &SectionsCheck) -> v1::CheckSectionsResponse
         violations: check.violations.iter().map(violation).collect(),
         length_mm: check.length_mm,
         smallest_margin_mm: check.smallest_margin_mm,
+        certified_lower_bound_mm: check.certified_bound_mm,
     }
 }
 

@@ -61,13 +61,21 @@ pub fn order_request(layout: &SectionLayout, options: &OrderOptions) -> v1::Orde
     }
 }
 
-/// The request that asks whether `order` answers `request`.
+/// The request that asks whether what OrderSections answered is an answer to `request`: the layout, and what certifies its bound where
+/// that was returned.
 #[must_use]
 pub fn check_sections_request(
     request: v1::OrderSectionsRequest,
-    order: Vec<v1::PlacedSection>,
+    answer: &v1::OrderSectionsResponse,
 ) -> v1::CheckSectionsRequest {
-    v1::CheckSectionsRequest { request: Some(request), order, tolerance_mm: None }
+    let report = answer.report.as_ref().filter(|report| report.certificate.is_some());
+    v1::CheckSectionsRequest {
+        request: Some(request),
+        order: answer.order.clone(),
+        tolerance_mm: None,
+        certificate: report.and_then(|report| report.certificate.clone()),
+        claimed_lower_bound_mm: report.and_then(|report| report.certified_lower_bound),
+    }
 }
 
 fn section(section: &Section) -> v1::Section {
