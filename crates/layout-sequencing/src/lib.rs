@@ -57,6 +57,7 @@ mod instance;
 mod join;
 mod join_matrix;
 mod layout;
+mod lazy_relaxation;
 mod meeting;
 mod moves;
 mod neighbours;
