@@ -262,7 +262,7 @@ fn certificates_of_hundreds_prove_what_they_say() {
     let recomputed = proven(&layout, &answer.certificate);
     assert!(matches!(answer.certificate, BoundCertificate::Joins(_)));
     assert!((recomputed - answer.certified_lower_bound_mm).abs() < 1e-4, "{recomputed}");
-    assert!(recomputed > 0.9 * plan.length_mm, "{recomputed} {}", plan.length_mm);
+    assert!(recomputed > 0.8 * plan.length_mm, "{recomputed} {}", plan.length_mm);
     let again = ordered(&layout, &OrderOptions { threads: 1, ..permissive() }, &budget);
     assert_eq!(again, answer);
 }
