@@ -68,6 +68,7 @@ mod order_findings;
 mod outline;
 mod placing;
 mod pose_choice;
+mod pose_prices;
 mod profile;
 mod progress;
 mod published_effect;

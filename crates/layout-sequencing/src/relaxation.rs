@@ -1,7 +1,8 @@
 //! The order by neighbours alone: a path through the kinds, each as often as it has copies, at the least sum of offsets
 //! in any poses. With kept order its length bounds every layout; its duals are the certificate.
 //!
-//! Up to some hundred copies the ladder of tours proves it; thousands are searched with joins computed on demand.
+//! Up to some hundred copies, and thousands of few kinds, the ladder of tours proves it; thousands of kinds are searched
+//! on few joins of each.
 
 use crate::certificate::{BoundCertificate, JoinDuals};
 use crate::instance::Instance;
@@ -18,6 +19,9 @@ use traverse_tours::{
 /// The most copies that the ladder takes; with precedence, where every copy is a node.
 const MOST_COPIES: usize = 600;
 const MOST_ORDERED_COPIES: usize = 400;
+/// The same where copies are of so few kinds that branch and cut over kinds proves.
+const FEW_KINDS: usize = 200;
+const MOST_COPIES_OF_FEW: usize = 2_500;
 
 /// The most steps of the ladder when nothing else limits them: section matrices are proven in far fewer.
 const MOST_STEPS: u64 = 100_000;
@@ -46,7 +50,8 @@ pub(crate) fn relax(
     if instance.copies == 1 {
         return Ok(Relaxed { order: Some(vec![0]), ..Relaxed::default() });
     }
-    if instance.copies > MOST_COPIES || !instance.has_all_offsets() {
+    let few_kinds = instance.kinds.len() <= FEW_KINDS && instance.copies <= MOST_COPIES_OF_FEW;
+    if (instance.copies > MOST_COPIES && !few_kinds) || !instance.has_all_offsets() {
         return Ok(relax_lazily(instance, seed, threads, progress, budget));
     }
     let count = instance.kinds.len();
