@@ -18,10 +18,12 @@ use traverse_tours::{
 
 /// The most copies for which prices are sought.
 const MOST_COPIES: usize = 600;
-/// Changes of prices.
-const ROUNDS: usize = 200;
+/// Changes of prices, at most.
+const ROUNDS: usize = 1_000;
 /// Rounds without a better bound after which steps are halved.
-const PATIENCE: usize = 8;
+const PATIENCE: usize = 10;
+/// Steps of this part of a full one are the last.
+const LEAST_EAGERNESS: f64 = 0.002;
 /// Steps of tours with the prices found.
 const STEPS: u64 = 5_000;
 
@@ -88,7 +90,11 @@ fn best_prices(instance: &Instance, progress: &mut Progress<'_>, widths: i64, bu
         }
         let length: f64 = uneven.iter().map(|&uneven| (uneven * uneven) as f64).sum();
         let missing = progress.upper().saturating_sub(widths).saturating_sub(bound);
-        if length == 0.0 || missing <= 0 || budget.check(round as u64 + 1).is_err() {
+        if length == 0.0
+            || missing <= 0
+            || eagerness < LEAST_EAGERNESS
+            || budget.check(round as u64 + 1).is_err()
+        {
             break;
         }
         if idle > PATIENCE {
