@@ -42,7 +42,6 @@ pub(crate) fn cheapest_arcs(
         let joined = others.into_iter().map(|other| other.join().unwrap_or(Err(Interrupt::Cancelled)));
         std::iter::once(own).chain(joined).collect()
     });
-    drop(blocks);
     results.into_iter().collect::<Result<(), _>>()?;
     Ok(lists)
 }
