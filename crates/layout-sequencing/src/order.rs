@@ -26,6 +26,8 @@ use traverse_solve::{Budget, Interrupt, Observer};
 
 /// What of the budget the order by neighbours may take.
 const RELAXATION_SHARE: f64 = 0.4;
+/// The same where joins are computed when asked for: there it is most of what can be done.
+const LAZY_RELAXATION_SHARE: f64 = 0.7;
 /// What of what is left prices of poses may take.
 const PRICES_SHARE: f64 = 0.2;
 /// What of it the choice of sections whose chain bounds best, the table of completions, and the search that proves may
@@ -192,7 +194,8 @@ impl Order<'_> {
     }
 
     fn relax(&mut self) -> Result<Relaxed, Interrupt> {
-        let budget = self.budget.share(RELAXATION_SHARE, self.progress.iterations());
+        let part = if self.instance.has_all_offsets() { RELAXATION_SHARE } else { LAZY_RELAXATION_SHARE };
+        let budget = self.budget.share(part, self.progress.iterations());
         let (seed, threads) = (self.options.seed, self.options.threads);
         let relaxed = relax(self.instance, seed, threads, &mut self.progress, &budget)?;
         if relaxed.certified > self.certified {

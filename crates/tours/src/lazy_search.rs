@@ -75,22 +75,16 @@ fn run(
     observer: &mut dyn Observer,
 ) -> Result<(), Interrupt> {
     let mut assignment = SparseAssignment::solve(first_lists(costs, threads, work)?, work)?;
-    let mut looks = 0;
-    let cheapest = loop {
-        looks += 1;
-        // What the look unmatches is matched again before the order is asked for.
-        let look = assignment.look(costs, WIDTH, threads, work)?;
-        let least_rise = look.bound.abs() / LEAST_RISE;
-        let flat = answer.lower_bound.is_some_and(|bound| look.bound - bound < least_rise);
-        if answer.lower_bound.is_none_or(|bound| look.bound > bound) {
-            answer.lower_bound = Some(look.bound);
-            answer.row.clone_from(&assignment.row);
-            answer.column.clone_from(&assignment.column);
-            observer.better_bound(look.bound as f64);
-        }
-        assignment.rematch(work)?;
-        if look.missed == 0 || looks == MOST_LOOKS || (flat && costs.size() > FEW) {
-            break look.cheapest;
+    let cheapest = match look_until_none_is_missed(costs, threads, &mut assignment, answer, work, observer) {
+        Ok(cheapest) => cheapest,
+        Err(interrupt) => {
+            // What is matched so far is near the best already.
+            let order = assignment.order();
+            let cost = true_cost(costs, &order);
+            if cost.is_some_and(|cost| answer.cost.is_none_or(|best| cost < best)) {
+                (answer.order, answer.cost) = (order, cost);
+            }
+            return Err(interrupt);
         }
     };
     let neighbours = Neighbours::from_lists(&cheapest);
@@ -116,6 +110,36 @@ fn run(
             return Ok(());
         }
         done = search.kicks(BURST, work);
+    }
+}
+
+/// Looks at every pair until the assignment is that of all of them, or near enough. The arcs out of each node that are
+/// cheapest beyond its duals.
+fn look_until_none_is_missed(
+    costs: &impl Costs,
+    threads: usize,
+    assignment: &mut SparseAssignment,
+    answer: &mut LazyAnswer,
+    work: &Work<'_>,
+    observer: &mut dyn Observer,
+) -> Result<Vec<Vec<usize>>, Interrupt> {
+    let mut looks = 0;
+    loop {
+        looks += 1;
+        // What the look unmatches is matched again before the order is asked for.
+        let look = assignment.look(costs, WIDTH, threads, work)?;
+        let least_rise = look.bound.abs() / LEAST_RISE;
+        let flat = answer.lower_bound.is_some_and(|bound| look.bound - bound < least_rise);
+        if answer.lower_bound.is_none_or(|bound| look.bound > bound) {
+            answer.lower_bound = Some(look.bound);
+            answer.row.clone_from(&assignment.row);
+            answer.column.clone_from(&assignment.column);
+            observer.better_bound(look.bound as f64);
+        }
+        assignment.rematch(work)?;
+        if look.missed == 0 || looks == MOST_LOOKS || (flat && costs.size() > FEW) {
+            return Ok(look.cheapest);
+        }
     }
 }
 
