@@ -17,6 +17,7 @@ use crate::layout::{bounding_box_length_mm, contacts, layout_length_mm, publishe
 use crate::options::{Algorithm, EffectModel, OrderOptions};
 use crate::placing::Placing;
 use crate::pose_choice::choose_poses;
+use crate::pose_prices::order_at_prices;
 use crate::progress::Progress;
 use crate::published_order::order_as_published;
 use crate::relaxation::{Relaxed, relax};
@@ -25,6 +26,10 @@ use traverse_solve::{Budget, Interrupt, Observer};
 
 /// What of the budget the order by neighbours may take.
 const RELAXATION_SHARE: f64 = 0.4;
+/// The same where joins are computed when asked for: there it is most of what can be done.
+const LAZY_RELAXATION_SHARE: f64 = 0.7;
+/// What of what is left prices of poses may take.
+const PRICES_SHARE: f64 = 0.2;
 /// What of it the choice of sections whose chain bounds best, the table of completions, and the search that proves may
 /// take in turn.
 const CHAIN_SHARE: f64 = 0.1;
@@ -125,7 +130,24 @@ impl Order<'_> {
             let items = choose_poses(self.instance, &order, self.preparation)?;
             self.progress.offer(&items, Placing::of(self.instance, &items).length());
         }
+        self.order_at_prices()?;
         self.search()
+    }
+
+    /// Where sections have poses to choose from: a better bound, and perhaps a better order.
+    fn order_at_prices(&mut self) -> Result<(), Interrupt> {
+        if self.progress.is_close_enough() {
+            return Ok(());
+        }
+        let budget = self.budget.share(PRICES_SHARE, self.progress.iterations());
+        let seed = self.options.seed.part(2);
+        match order_at_prices(self.instance, seed, &mut self.progress, &budget) {
+            Ok(Some(items)) => self.progress.offer(&items, Placing::of(self.instance, &items).length()),
+            Ok(None) => {}
+            // Its share is used up; what follows has its own.
+            Err(_) => self.budget.check(self.progress.iterations())?,
+        }
+        Ok(())
     }
 
     /// The order that was sent, or the sections as they were sent, where that is allowed.
@@ -172,7 +194,8 @@ impl Order<'_> {
     }
 
     fn relax(&mut self) -> Result<Relaxed, Interrupt> {
-        let budget = self.budget.share(RELAXATION_SHARE, self.progress.iterations());
+        let part = if self.instance.has_all_offsets() { RELAXATION_SHARE } else { LAZY_RELAXATION_SHARE };
+        let budget = self.budget.share(part, self.progress.iterations());
         let (seed, threads) = (self.options.seed, self.options.threads);
         let relaxed = relax(self.instance, seed, threads, &mut self.progress, &budget)?;
         if relaxed.certified > self.certified {

@@ -1,23 +1,27 @@
 //! The order by neighbours alone: a path through the kinds, each as often as it has copies, at the least sum of offsets
 //! in any poses. With kept order its length bounds every layout; its duals are the certificate.
 //!
-//! Up to some hundred copies the ladder of tours proves it; thousands are searched with joins computed on demand.
+//! Up to some hundred copies, and thousands of few kinds, the ladder of tours proves it; thousands of kinds are searched
+//! on few joins of each.
 
 use crate::certificate::{BoundCertificate, JoinDuals};
 use crate::instance::Instance;
+use crate::lazy_relaxation::relax_lazily;
 use crate::offsets::filled;
 use crate::progress::{BoundsOnly, Progress};
-use crate::sampled_borders::SampledBorders;
 use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt, Observer, Seed, Silent};
 use traverse_tours::{
-    Certificate, CostMatrix, Costs, Ending, FORBIDDEN, LazyAnswer, Shape, SolveOptions, TourAnswer,
-    TourSpecification, search_lazily, solve, verify_certificate,
+    Certificate, CostMatrix, Ending, FORBIDDEN, Shape, SolveOptions, TourAnswer, TourSpecification, solve,
+    verify_certificate,
 };
 
 /// The most copies that the ladder takes; with precedence, where every copy is a node.
 const MOST_COPIES: usize = 600;
 const MOST_ORDERED_COPIES: usize = 400;
+/// The same where copies are of so few kinds that branch and cut over kinds proves.
+const FEW_KINDS: usize = 200;
+const MOST_COPIES_OF_FEW: usize = 2_500;
 
 /// The most steps of the ladder when nothing else limits them: section matrices are proven in far fewer.
 const MOST_STEPS: u64 = 100_000;
@@ -46,8 +50,9 @@ pub(crate) fn relax(
     if instance.copies == 1 {
         return Ok(Relaxed { order: Some(vec![0]), ..Relaxed::default() });
     }
-    if instance.copies > MOST_COPIES || !instance.has_all_offsets() {
-        return Ok(relax_lazily(instance, seed, progress, budget));
+    let few_kinds = instance.kinds.len() <= FEW_KINDS && instance.copies <= MOST_COPIES_OF_FEW;
+    if (instance.copies > MOST_COPIES && !few_kinds) || !instance.has_all_offsets() {
+        return Ok(relax_lazily(instance, seed, threads, progress, budget));
     }
     let count = instance.kinds.len();
     let row = |left: usize, row: &mut [i64]| {
@@ -90,7 +95,7 @@ pub(crate) fn relax(
     Ok(relaxed)
 }
 
-fn sum_of_widths(instance: &Instance) -> i64 {
+pub(crate) fn sum_of_widths(instance: &Instance) -> i64 {
     let width = |kind: usize| instance.items[instance.kinds[kind].items.start].width;
     (0..instance.kinds.len()).map(|kind| width(kind) * instance.quantity(kind) as i64).sum()
 }
@@ -122,7 +127,7 @@ fn certify(
     }
 }
 
-fn duals_of_sections(instance: &Instance, certificate: &Certificate) -> JoinDuals {
+pub(crate) fn duals_of_sections(instance: &Instance, certificate: &Certificate) -> JoinDuals {
     let kinds = instance.kinds.len();
     let mm = |parts: i64| instance.grid.mm(1) * (parts as f64 / certificate.parts as f64);
     // Costs of kinds leave the width of the left one out.
@@ -141,68 +146,4 @@ fn duals_of_sections(instance: &Instance, certificate: &Certificate) -> JoinDual
     };
     let sets = certificate.sets.iter().map(|(set, weight)| (of_kinds(set), mm(*weight))).collect();
     JoinDuals { row_mm, column_mm, sets }
-}
-
-/// Copies as nodes, and last the ends of the strip; costs are offsets, computed on demand.
-struct CopyCosts<'a> {
-    instance: &'a Instance,
-    kind_of: Vec<usize>,
-    borders: SampledBorders,
-}
-
-impl Costs for CopyCosts<'_> {
-    fn size(&self) -> usize {
-        self.kind_of.len() + 1
-    }
-
-    fn cost(&self, from: usize, to: usize) -> i64 {
-        match (self.kind_of.get(from), self.kind_of.get(to)) {
-            (None, None) => FORBIDDEN,
-            (None, Some(&kind)) => end_cost(self.instance.first, kind),
-            (Some(&kind), None) => end_cost(self.instance.last, kind),
-            (Some(_), Some(_)) if from == to => FORBIDDEN,
-            (Some(&left), Some(&right)) => self.instance.kind_cost(left, right).unwrap_or(FORBIDDEN),
-        }
-    }
-
-    fn floor(&self, from: usize, to: usize) -> i64 {
-        match (self.kind_of.get(from), self.kind_of.get(to)) {
-            (Some(&left), Some(&right)) if from != to && self.instance.may_join(left, right) => {
-                self.borders.floor(self.instance, left, right)
-            }
-            _ => self.cost(from, to),
-        }
-    }
-}
-
-/// What it costs to begin or end with a kind.
-fn end_cost(asked: Option<usize>, kind: usize) -> i64 {
-    if asked.is_none_or(|asked| asked == kind) { 0 } else { FORBIDDEN }
-}
-
-fn relax_lazily(instance: &Instance, seed: Seed, progress: &mut Progress<'_>, budget: &Budget) -> Relaxed {
-    let kind_of: Vec<usize> = (0..instance.kinds.len())
-        .flat_map(|kind| std::iter::repeat_n(kind, instance.quantity(kind)))
-        .collect();
-    let Ok(borders) = SampledBorders::of(instance, budget) else { return Relaxed::default() };
-    let costs = CopyCosts { instance, kind_of, borders };
-    let mut limited = budget.clone();
-    let most = 50 * instance.copies as u64;
-    limited.iterations = Some(limited.iterations.map_or(most, |limit| limit.min(most)));
-    let widths = sum_of_widths(instance);
-    let answer: LazyAnswer = {
-        let mut bounds = BoundsOnly { progress, plus: widths };
-        let silent: &mut dyn Observer = &mut Silent;
-        let observer = if instance.rule == SlideRule::KeepOrder { &mut bounds } else { silent };
-        search_lazily(&costs, seed, &limited, observer)
-    };
-    progress.add_iterations(answer.iterations);
-    if let Some(bound) = answer.lower_bound.filter(|_| instance.rule == SlideRule::KeepOrder) {
-        progress.raise_bound(bound + widths);
-    }
-    let ends = instance.copies;
-    let begin = answer.order.iter().position(|&node| node == ends).unwrap_or(0);
-    let turned = answer.order[begin..].iter().chain(&answer.order[..begin]);
-    let order = turned.filter(|&&node| node != ends).map(|&node| costs.kind_of[node]).collect();
-    Relaxed { order: answer.cost.map(|_| order), ..Relaxed::default() }
 }

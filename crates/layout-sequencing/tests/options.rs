@@ -245,6 +245,29 @@ fn certificates_prove_what_they_say() {
 }
 
 #[test]
+fn certificates_of_hundreds_prove_what_they_say() {
+    let mut layout = layout(202, 77);
+    layout.sections.iter_mut().enumerate().for_each(|(number, section)| {
+        section.quantity = 1 + (number % 6) as u32;
+        section.poses.truncate(1);
+    });
+    layout.sections[5].poses = vec![Pose::AsIs, Pose::HalfTurn];
+    layout.gap_mm = 0.5;
+    layout.first = Some(8);
+    layout.last = Some(16);
+    layout.forbidden_joins = vec![(3, 3), (2, 5), (9, 4)];
+    let budget = Budget { iterations: Some(3_000), ..Budget::unlimited() };
+    let answer = ordered(&layout, &permissive(), &budget);
+    let plan = answer.plan.as_ref().expect("most joins are allowed");
+    let recomputed = proven(&layout, &answer.certificate);
+    assert!(matches!(answer.certificate, BoundCertificate::Joins(_)));
+    assert!((recomputed - answer.certified_lower_bound_mm).abs() < 1e-4, "{recomputed}");
+    assert!(recomputed > 0.8 * plan.length_mm, "{recomputed} {}", plan.length_mm);
+    let again = ordered(&layout, &OrderOptions { threads: 1, ..permissive() }, &budget);
+    assert_eq!(again, answer);
+}
+
+#[test]
 fn published_effects_are_never_below_exact_ones_of_single_parts() {
     let mut larger = 0;
     for seed in 0..60 {

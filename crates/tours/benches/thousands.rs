@@ -78,7 +78,7 @@ fn main() {
         let effort = Effort { time_limit: Some(Duration::from_secs_f64(seconds)), ..Effort::default() };
         let budget = effort.budget_from_now(CancelToken::new());
         let mut watch = Watch { begin, trace };
-        let answer = search_lazily(&sections, Seed(1), &budget, &mut watch);
+        let answer = search_lazily(&sections, Seed(1), 1, &budget, &mut watch);
         let (cost, bound) = (answer.cost.unwrap_or(i64::MAX), answer.lower_bound.unwrap_or(0));
         println!(
             "| {count} | {cost} | {bound} | {:.3} % | {} | {:.1} |",

@@ -29,6 +29,7 @@ mod assignment;
 mod assignment_search;
 mod branch_and_cut;
 mod certificate;
+mod cheapest_arcs;
 mod closure;
 mod cost;
 mod count_program;

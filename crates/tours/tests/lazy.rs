@@ -33,10 +33,17 @@ fn the_bound_is_the_assignment_without_its_matrix() {
     let budget = Budget { iterations: Some(2_000), ..Budget::unlimited() };
     for seed in 0..5 {
         let costs = Windy::new(60, seed);
-        let answer = search_lazily(&costs, Seed(1), &budget, &mut Silent);
+        let answer = search_lazily(&costs, Seed(1), 1, &budget, &mut Silent);
         let (assignment, _) = Assignment::solve(&costs, &Work::new(&budget)).expect("no limit");
         assert_eq!(answer.lower_bound, Some(assignment.bound()));
         assert!(answer.cost >= answer.lower_bound);
+        assert_eq!(answer.row.iter().chain(&answer.column).sum::<i64>(), assignment.bound());
+        for from in 0..60 {
+            for to in 0..60 {
+                assert!(answer.row[from].saturating_add(answer.column[to]) <= costs.cost(from, to));
+            }
+        }
+        assert_eq!(search_lazily(&costs, Seed(1), 2, &budget, &mut Silent), answer);
     }
 }
 
@@ -44,7 +51,7 @@ fn the_bound_is_the_assignment_without_its_matrix() {
 fn two_thousand_nodes_get_a_tour_and_a_bound() {
     let costs = Windy::new(2_000, 1);
     let budget = Budget { iterations: Some(5_000), ..Budget::unlimited() };
-    let answer = search_lazily(&costs, Seed(1), &budget, &mut Silent);
+    let answer = search_lazily(&costs, Seed(1), 1, &budget, &mut Silent);
     let mut seen = answer.order.clone();
     seen.sort_unstable();
     assert!(seen.into_iter().eq(0..2_000));
