@@ -121,11 +121,7 @@ impl RapidRules {
             );
             return Some(Finding::new(field, Reason::TooMany, count, message));
         }
-        let by_length = self.cost == TravelCost::Length && self.motion == RapidMotion::Linear;
-        (count > 0 && !by_length).then(|| {
-            let message = "only for length and linear motion it is known which other ways there are; leave it out, or cost and motion";
-            Finding::new(field, Reason::NotApplicable, count, message)
-        })
+        None
     }
 
     /// The axes' speeds where the machine runs dog-legs.
