@@ -115,13 +115,12 @@ impl RapidRules {
 
     fn alternatives_finding(&self) -> Option<Finding> {
         let (field, count) = ("alternative_count", self.alternative_count);
-        if count > ALTERNATIVE_LIMIT {
+        (count > ALTERNATIVE_LIMIT).then(|| {
             let message = format!(
                 "{count} alternatives asked for, at most {ALTERNATIVE_LIMIT} permitted; ask for fewer"
             );
-            return Some(Finding::new(field, Reason::TooMany, count, message));
-        }
-        None
+            Finding::new(field, Reason::TooMany, count, message)
+        })
     }
 
     /// The axes' speeds where the machine runs dog-legs.

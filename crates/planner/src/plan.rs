@@ -51,7 +51,7 @@ pub struct RapidPlan {
     pub clearance_mm: f64,
     /// Ids of the obstacles that bend the path, in path order; `work_area` where its border does.
     pub bending_obstacles: Vec<String>,
-    /// Other locally shortest ways, none cheaper than the plan, cheapest first; those of the published scan are its
+    /// Other locally shortest ways, none cheaper than the plan, cheapest first. Of the published scan: its
     /// clockwise and counter-clockwise candidates, shortest first.
     pub alternatives: Vec<Path>,
     /// What each of them costs.
