@@ -34,6 +34,9 @@ use traverse_solve::{Budget, Interrupt};
 /// A path that bends by less than this goes straight on, radians: then the bend is no part of it.
 const STRAIGHT_RAD: f64 = 1e-9;
 
+/// Estimates that differ in so many of their last bits alone are equal: by a share of 1e-12.
+const EQUAL_BITS: u32 = 12;
+
 /// Estimates that rise by less than this share when they are looked at again are what they were: rounding.
 const ESTIMATE_RATIO: f64 = 1e-11;
 
@@ -90,8 +93,11 @@ struct Ways<'a, M> {
     numbers: [Numbers; 2],
     /// Owners not met yet, those that the dearest paths touch first, and what a path that touches them costs at least.
     to_meet: Vec<(f64, usize)>,
-    labels: Vec<Label>,
-    open: BinaryHeap<(Reverse<u64>, Reverse<u32>)>,
+    /// With what a path through each costs at least.
+    labels: Vec<(f64, Label)>,
+    /// Lowest estimate first; the later label of equals, which is nearer to the target: by a norm that is not strict very many
+    /// ways cost the same.
+    open: BinaryHeap<(Reverse<u64>, u32)>,
     /// Of every stance of the search.
     trails: Vec<Trail>,
     /// Bends of the paths that were looked into.
@@ -205,7 +211,7 @@ impl<M: Measure> Ways<'_, M> {
     /// The open label of the lowest estimate, and that.
     fn pop(&mut self) -> Option<(f64, Label)> {
         loop {
-            let best = self.open.peek().map(|(Reverse(bits), _)| f64::from_bits(*bits));
+            let best = self.open.peek().map(|(Reverse(rank), _)| highest_of(*rank));
             match self.forth.tree.lowest_estimate() {
                 Some(estimate) if best.is_none_or(|best| estimate <= best) => {
                     let (estimate, label) = self.forth.tree.pop()?;
@@ -214,16 +220,16 @@ impl<M: Measure> Ways<'_, M> {
                     }
                 }
                 _ => {
-                    let (Reverse(bits), Reverse(index)) = self.open.pop()?;
-                    return Some((f64::from_bits(bits), self.labels[index as usize]));
+                    let (_, index) = self.open.pop()?;
+                    return Some(self.labels[index as usize]);
                 }
             }
         }
     }
 
     fn push(&mut self, estimate: f64, label: Label) {
-        self.open.push((Reverse(estimate.to_bits()), Reverse(self.labels.len() as u32)));
-        self.labels.push(label);
+        self.open.push((Reverse(estimate.to_bits() >> EQUAL_BITS), self.labels.len() as u32));
+        self.labels.push((estimate, label));
     }
 
     /// What a path through the label costs at least, as far as is known; none where no way leads on.
@@ -280,6 +286,11 @@ impl<M: Measure> Ways<'_, M> {
             Way::Meets(owner) => self.meet(owner, budget).map(|_| false),
         }
     }
+}
+
+/// The highest estimate of a rank.
+fn highest_of(rank: u64) -> f64 {
+    f64::from_bits((rank << EQUAL_BITS) | ((1 << EQUAL_BITS) - 1))
 }
 
 fn flipped(side: Side) -> Side {
