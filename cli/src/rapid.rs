@@ -250,8 +250,12 @@ fn report(
                 }
             );
             let kind = if matches!(arguments.algorithm, Method::Exact) { "other way" } else { "candidate" };
-            for alternative in &plan.alternatives {
-                say!("{kind:<12} {:.6} mm", alternative.length_mm);
+            for (way, cost) in plan.alternatives.iter().zip(&plan.alternative_costs) {
+                if plan.cost_unit() == v1::CostUnit::Seconds {
+                    say!("{kind:<12} {cost:.6} s, {:.6} mm", way.length_mm);
+                } else {
+                    say!("{kind:<12} {:.6} mm", way.length_mm);
+                }
             }
             if let Some(search) = answer.stats.as_ref().and_then(|stats| stats.search_duration) {
                 say!("search       {:?} among {} obstacles", duration(&search), scene.obstacles.len());

@@ -134,16 +134,25 @@ fn report(
                 say!("changed at   z = {z} mm");
             }
             let straight = (change.target - change.start).norm();
-            say!("both moves   {:.6} mm (straight line without a change {straight:.6})", plan.cost);
+            let unit = if plan.cost_unit() == v1::CostUnit::Seconds {
+                let moves = [approach, departure].map(Path::length);
+                let length = moves[0] + moves[1];
+                say!("length       {length:.6} mm (straight line without a change {straight:.6})");
+                say!("both moves   {:.6} s", plan.cost);
+                "s"
+            } else {
+                say!("both moves   {:.6} mm (straight line without a change {straight:.6})", plan.cost);
+                "mm"
+            };
             let proven = if plan.lower_bound == plan.cost { ", proven cheapest" } else { "" };
-            say!("lower bound  {:.6} mm{proven}", plan.lower_bound);
+            say!("lower bound  {:.6} {unit}{proven}", plan.lower_bound);
             for (name, plan) in [("approach", &plan.approach), ("departure", &plan.departure)] {
                 let Some(plan) = plan else { continue };
                 let round = match &plan.bending_obstacle_ids[..] {
                     [] => "nothing".to_owned(),
                     ids => ids.join(", "),
                 };
-                say!("{name:<12} {:.6} mm round {round}", plan.cost);
+                say!("{name:<12} {:.6} {unit} round {round}", plan.cost);
             }
             if change.rules.clearances_mm.len() > 1 {
                 say!("clearance    {} mm", plan.approach.as_ref().map_or(0.0, |plan| plan.clearance_mm));

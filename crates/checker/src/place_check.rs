@@ -34,7 +34,7 @@ pub struct PlacedChange<'a> {
 pub struct PlaceCheck {
     /// What is wrong: with the place (`place`), the approach (`approach.path…`), the departure (`departure.path…`).
     pub violations: Vec<Violation>,
-    /// Of both moves, recomputed, millimetres.
+    /// Of both moves, recomputed, in the unit of the rules' cost.
     pub cost: f64,
     /// The scene's clearance that was held against both, millimetres.
     pub clearance_mm: f64,

@@ -115,16 +115,11 @@ impl RapidRules {
 
     fn alternatives_finding(&self) -> Option<Finding> {
         let (field, count) = ("alternative_count", self.alternative_count);
-        if count > ALTERNATIVE_LIMIT {
+        (count > ALTERNATIVE_LIMIT).then(|| {
             let message = format!(
                 "{count} alternatives asked for, at most {ALTERNATIVE_LIMIT} permitted; ask for fewer"
             );
-            return Some(Finding::new(field, Reason::TooMany, count, message));
-        }
-        let by_length = self.cost == TravelCost::Length && self.motion == RapidMotion::Linear;
-        (count > 0 && !by_length).then(|| {
-            let message = "only for length and linear motion it is known which other ways there are; leave it out, or cost and motion";
-            Finding::new(field, Reason::NotApplicable, count, message)
+            Finding::new(field, Reason::TooMany, count, message)
         })
     }
 

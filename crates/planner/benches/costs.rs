@@ -1,5 +1,6 @@
 //! What other costs and other ways of running a route take, beside the shortest one, in the same run: one shot each,
-//! scattered obstacles at a clearance. `cargo bench -p traverse-planner --bench costs`.
+//! scattered obstacles at a clearance; the same for tool changes and for alternatives.
+//! `cargo bench -p traverse-planner --bench costs`.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
@@ -13,45 +14,101 @@ use traverse_geometry::{
     ArcOutput, AxisSpeeds, CornerStyle, Kinematics, Obstacle, Point, Polygon, RapidMotion, RapidRules, Ring,
     Scene, TravelCost, unit,
 };
-use traverse_planner::{Algorithm, Answer, RapidMove, plan_rapid_move};
+use traverse_planner::{
+    Algorithm, Answer, RapidMove, Refusal, ToolChange, ToolChangeAnswer, plan_rapid_move, plan_tool_change,
+};
 use traverse_solve::{Budget, Seed, Silent};
 
 /// One obstacle per square of this side, millimetres.
 const PITCH: f64 = 50.0;
 
 fn main() {
-    println!(
-        "one shot, clearance 1.5 mm: median microseconds, ratio to length, share of plans that are proven"
-    );
-    for (n, queries) in [(100, 200), (1000, 60), (10_000, 10)] {
+    println!("one shot, clearance 1.5 mm: median µs (most), ratio to length, share of plans that are proven");
+    for (n, queries) in [(10, 100), (100, 60), (1000, 12)] {
         let scene = scattered(n);
         let moves = moves(&scene, queries);
-        let mut shortest = 0.0;
-        for (name, rules) in rules() {
-            let mut times = Vec::new();
-            let mut proven = 0;
-            for &(start, target) in &moves {
-                let query = RapidMove { start, target, algorithm: Algorithm::Exact, rules: rules.clone() };
-                let began = Instant::now();
-                let answer = plan_rapid_move(&scene, &query, &Budget::unlimited(), &mut Silent);
-                times.push(began.elapsed().as_secs_f64() * 1e6);
-                match answer {
-                    Ok((Answer::Plan(plan), _)) => proven += usize::from(plan.cost == plan.lower_bound),
-                    other => panic!("no plan: {other:?}"),
-                }
+        section(n, "", rules(), &moves, |rules, [start, target]| {
+            let query = RapidMove { start, target, algorithm: Algorithm::Exact, rules: rules.clone() };
+            match plan_rapid_move(&scene, &query, &Budget::unlimited(), &mut Silent) {
+                Ok((Answer::Plan(plan), _)) => Some(plan.cost == plan.lower_bound),
+                refused => told(refused.err()),
             }
-            times.sort_by(f64::total_cmp);
-            let median = times[times.len() / 2];
-            if shortest == 0.0 {
-                shortest = median;
+        });
+        let with_others = rules().map(|(name, rules)| (name, RapidRules { alternative_count: 4, ..rules }));
+        // Some of these end where memory does, after seconds.
+        let few = &moves[..moves.len().min(6)];
+        section(n, "4 alternatives, ", with_others, few, |rules, [start, target]| {
+            let query = RapidMove { start, target, algorithm: Algorithm::Exact, rules: rules.clone() };
+            match plan_rapid_move(&scene, &query, &Budget::unlimited(), &mut Silent) {
+                Ok((Answer::Plan(plan), _)) => Some(plan.alternatives.len() == 4),
+                refused => told(refused.err()),
             }
-            let proven = 100.0 * proven as f64 / moves.len() as f64;
-            println!("{n:>6} {name:<24} {median:>11.1} {:>7.2} × {proven:>4.0} %", median / shortest);
-        }
+        });
+        section(n, "tool change, ", rules(), &moves, |rules, [start, target]| {
+            let question = ToolChange {
+                start,
+                target,
+                regions: vec![region(&scene)],
+                points: Vec::new(),
+                place_z_mm: None,
+                rules: rules.clone(),
+            };
+            match plan_tool_change(&scene, &question, &Budget::unlimited(), &mut Silent) {
+                Ok((ToolChangeAnswer::Plan(plan), _)) => Some(plan.cost <= plan.lower_bound * (1.0 + 1e-9)),
+                refused => told(refused.err()),
+            }
+        });
     }
 }
 
-fn rules() -> Vec<(&'static str, RapidRules)> {
+/// Says why there is no plan.
+fn told(refused: Option<Vec<Refusal>>) -> Option<bool> {
+    println!("       no plan: {refused:?}");
+    None
+}
+
+/// Times every rule over all moves; `run` answers whether a plan is proven, or complete.
+fn section(
+    n: usize,
+    what: &str,
+    rules: impl IntoIterator<Item = (&'static str, RapidRules)>,
+    moves: &[[Point; 2]],
+    run: impl Fn(&RapidRules, [Point; 2]) -> Option<bool>,
+) {
+    let mut shortest = 0.0;
+    for (name, rules) in rules {
+        let mut times = Vec::new();
+        let mut proven = 0;
+        for &ends in moves {
+            let began = Instant::now();
+            let is_proven = run(&rules, ends);
+            times.push(began.elapsed().as_secs_f64() * 1e6);
+            proven += usize::from(is_proven == Some(true));
+        }
+        times.sort_by(f64::total_cmp);
+        let (median, most) = (times[times.len() / 2], times[times.len() - 1]);
+        if shortest == 0.0 {
+            shortest = median;
+        }
+        let proven = 100.0 * proven as f64 / moves.len() as f64;
+        let name = format!("{what}{name}");
+        println!(
+            "{n:>6} {name:<36} {median:>11.1} ({most:>11.1}) {:>7.2} × {proven:>4.0} %",
+            median / shortest
+        );
+    }
+}
+
+/// A square in the middle of the scene, three pitches wide: several obstacles lie in it.
+fn region(scene: &Scene) -> Polygon {
+    let side = (scene.obstacles.len() as f64).sqrt().ceil() * PITCH;
+    let [low, high] = [side / 2.0 - 1.5 * PITCH, side / 2.0 + 1.5 * PITCH];
+    let corners = [(low, low), (high, low), (high, high), (low, high)];
+    let ring = Ring::new(corners.map(|(x, y)| Point::new(x, y)).to_vec(), vec![]).unwrap();
+    Polygon::from_ring(ring)
+}
+
+fn rules() -> [(&'static str, RapidRules); 6] {
     let axes =
         |x: f64, y: f64| TravelCost::AxisSpeeds(AxisSpeeds { x_mm_per_s: x, y_mm_per_s: y, z_mm_per_s: 0.0 });
     let limits = Kinematics {
@@ -62,7 +119,7 @@ fn rules() -> Vec<(&'static str, RapidRules)> {
         feed_mm_per_s: 100.0,
     };
     let by = |cost| RapidRules { cost, ..RapidRules::default() };
-    vec![
+    [
         ("length", RapidRules::default()),
         ("length, chords", RapidRules { arcs: ArcOutput::Chords, ..RapidRules::default() }),
         ("axis speeds 1 : 1", by(axes(300.0, 300.0))),
@@ -100,12 +157,12 @@ fn scattered(n: usize) -> Scene {
 }
 
 /// Ends beside squares' corners, where nothing is.
-fn moves(scene: &Scene, count: usize) -> Vec<(Point, Point)> {
+fn moves(scene: &Scene, count: usize) -> Vec<[Point; 2]> {
     let mut random = Seed(99).stream();
     let columns = (scene.obstacles.len() as f64).sqrt().ceil();
     let mut corner = || {
         let [x, y] = [0, 1].map(|_| random.random_range(0.0..columns).round() * PITCH);
         Point::new(x, y)
     };
-    (0..count).map(|_| (corner(), corner() + traverse_geometry::Vector::new(1.0, 2.0))).collect()
+    (0..count).map(|_| [corner(), corner() + traverse_geometry::Vector::new(1.0, 2.0)]).collect()
 }

@@ -9,7 +9,7 @@ use crate::measure::{AxisTime, Length, Measure};
 use crate::price::{at_rest, bound_of, in_plane, straight, travel_cost, vertical};
 use crate::quickest::{Way, quickest};
 use crate::rapid_move::least_cost;
-use crate::search::{End, Known, Route, Search, locally_shortest};
+use crate::search::{Between, End, Known, Route, Search, locally_shortest};
 use crate::separating::separating;
 use crate::shortest_route::ShortestRoute;
 use crate::standing::stand;
@@ -49,6 +49,14 @@ pub(crate) struct Found {
     pub(crate) path: Path,
     /// None: there is nothing to run.
     pub(crate) route: Option<Route>,
+}
+
+/// A path as the machine runs it.
+struct AsRun {
+    level: usize,
+    path: Path,
+    /// What it was made of.
+    found: Found,
 }
 
 impl<'a> AtClearance<'a> {
@@ -98,12 +106,21 @@ impl<'a> AtClearance<'a> {
         let told = self.lower_bound;
         let bound = self.bound(ends, level, &found);
         self.lower_bound = told.max(bound);
-        let Some((path, found)) = self.as_run(ends, level, found, stats)? else { return Ok(Outcome::NoRoom) };
-        let bending = found.route.as_ref().map_or_else(Vec::new, |route| self.bending(route));
-        let mut plan = self.plan(path, bound, bending);
+        let Some(mut run) = self.as_run(ends, level, found, stats)? else { return Ok(Outcome::NoRoom) };
+        let mut others = Vec::new();
         if self.query.rules.alternative_count > 0 && self.query.algorithm == Algorithm::Exact {
-            plan.alternatives = self.alternatives(ends, level, found.path, stats);
+            others = self.alternatives(ends, &run, stats);
         }
+        if let TravelCost::Kinematics(_) = self.query.rules.cost {
+            // Which way is the quickest one is not known before it is priced.
+            others.push(run);
+            others.sort_by(|a, b| self.cost(&a.path).total_cmp(&self.cost(&b.path)));
+            run = others.remove(0);
+        }
+        let bending = run.found.route.as_ref().map_or_else(Vec::new, |route| self.bending(route));
+        let mut plan = self.plan(run.path, bound, bending);
+        plan.alternatives = others.into_iter().map(|other| other.path).collect();
+        plan.alternative_costs = plan.alternatives.iter().map(|path| self.cost(path)).collect();
         // Rounding must not set the proven cost and the bounds that were told apart.
         let proven = plan.lower_bound.max(told);
         if proven > told {
@@ -113,26 +130,52 @@ impl<'a> AtClearance<'a> {
         Ok(Outcome::Plan(plan))
     }
 
-    /// Other locally shortest ways than `along`, at its level. The budget's end leaves those that were found.
-    fn alternatives(&self, ends: ClearEnds, level: usize, along: Path, stats: &mut Stats) -> Vec<Path> {
+    fn cost(&self, path: &Path) -> f64 {
+        travel_cost(path, &self.query.rules.cost)
+    }
+
+    /// Other locally shortest ways than `plan`, at its level, as the machine runs them; those without room for dog-legs are
+    /// left out. The budget's end leaves those that were found.
+    fn alternatives(&self, ends: ClearEnds, plan: &AsRun, stats: &mut Stats) -> Vec<AsRun> {
         let count = self.query.rules.alternative_count;
+        let level = plan.level;
         let left_out = self.levels.passed_over(self.barriers, level);
         if ends[0] == ends[1] {
             return Vec::new();
         }
         let Ok([start, target]) = self.stands(&left_out, ends) else { return Vec::new() };
+        let (barriers, stands) = (self.barriers, [&start, &target]);
+        let driver = self.driver(&left_out);
         // One among them is the plan.
-        let routes =
-            locally_shortest(self.barriers, &left_out, [&start, &target], count + 1, stats, self.budget);
-        let mut ways = vec![Found { path: along, route: None }];
+        let routes = match &self.query.rules.cost {
+            TravelCost::AxisSpeeds(speeds) => {
+                let measure = AxisTime::new(speeds);
+                let dog_legs = self.query.rules.dog_leg();
+                let by_dog_legs =
+                    dog_legs.as_ref().map(|speeds| DogLegTime { time: measure, speeds, driver: &driver });
+                let has_room = |from, to| by_dog_legs.is_none_or(|by| by.cramped_by(from, to).is_none());
+                let has_room = &has_room;
+                let asked = Between { measure, barriers, left_out: &left_out, ends: stands, has_room };
+                locally_shortest(&asked, count + 1, stats, self.budget)
+            }
+            TravelCost::Length | TravelCost::Kinematics(_) => {
+                let (measure, has_room) = (Length, &|_, _| true);
+                let asked = Between { measure, barriers, left_out: &left_out, ends: stands, has_room };
+                locally_shortest(&asked, count + 1, stats, self.budget)
+            }
+        };
+        let mut ways: Vec<Found> = Vec::new();
         for route in routes {
             let way = found_along(route, ends);
-            if !ways.iter().any(|known| is_same_way(&known.path, &way.path)) {
+            let is_same = |known: &Path| is_same_way(known, &way.path);
+            if !is_same(&plan.found.path) && !ways.iter().any(|known| is_same(&known.path)) {
                 ways.push(way);
             }
         }
-        let others = ways.iter().skip(1).take(count);
-        others.map_while(|way| self.driven(ends, level, way).ok().flatten()).collect()
+        let run = |found: Found| {
+            Some(self.driven(ends, level, &found).ok()?.map(|path| AsRun { level, path, found }))
+        };
+        ways.into_iter().take(count).map_while(run).flatten().collect()
     }
 
     /// Whether there is a path at all: what is clear at any level is clear at the highest.
@@ -218,12 +261,14 @@ impl<'a> AtClearance<'a> {
         level: usize,
         found: Found,
         stats: &mut Stats,
-    ) -> Result<Option<(Path, Found)>, Interrupt> {
+    ) -> Result<Option<AsRun>, Interrupt> {
         let Some(path) = self.driven(ends, level, &found)? else { return self.with_room(ends, stats) };
-        let TravelCost::Kinematics(_) = self.query.rules.cost else { return Ok(Some((path, found))) };
+        let TravelCost::Kinematics(_) = self.query.rules.cost else {
+            return Ok(Some(AsRun { level, path, found }));
+        };
         let first = Way::new(self, level, Vec::new(), path, found);
-        let quickest = quickest(self, ends, self.levels.count(), first, stats);
-        Ok(Some((quickest.path, quickest.found)))
+        let Way { level, path, found, .. } = quickest(self, ends, self.levels.count(), first, stats);
+        Ok(Some(AsRun { level, path, found }))
     }
 
     /// The whole path as the machine runs it. None: no room for dog-legs.
@@ -253,7 +298,7 @@ impl<'a> AtClearance<'a> {
     }
 
     /// The best path among those whose straight moves all have room for dog-legs.
-    fn with_room(&self, ends: ClearEnds, stats: &mut Stats) -> Result<Option<(Path, Found)>, Interrupt> {
+    fn with_room(&self, ends: ClearEnds, stats: &mut Stats) -> Result<Option<AsRun>, Interrupt> {
         let Some(speeds) = self.query.rules.dog_leg() else { return Ok(None) };
         let cost = self.query.rules.cost;
         let verticals: Vec<f64> =
@@ -271,7 +316,7 @@ impl<'a> AtClearance<'a> {
             Ok(found.map(|found| (in_plane(&found.path, &cost), (path, found))))
         };
         let found = best_level(&verticals, straight(ends[1] - ends[0], &cost), solve, |_| {})?;
-        Ok(found.map(|(_, found)| found))
+        Ok(found.map(|(level, (path, found))| AsRun { level, path, found }))
     }
 
     fn plan(&self, path: Path, bound: f64, bending_obstacles: Vec<String>) -> RapidPlan {
@@ -285,6 +330,7 @@ impl<'a> AtClearance<'a> {
             clearance_mm: self.scene.clearance_mm,
             bending_obstacles,
             alternatives: Vec::new(),
+            alternative_costs: Vec::new(),
         }
     }
 

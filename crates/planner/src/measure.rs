@@ -19,6 +19,22 @@ pub(crate) trait Measure: Copy {
     /// No way along `by` costs less, and the straight one costs as much.
     fn along(self, by: Vector) -> f64;
 
+    /// No way along a vector that differs from `by` by at most `radius` millimetres costs less.
+    fn near(self, by: Vector, radius: f64) -> f64;
+
+    /// No straight way of `length` millimetres costs less.
+    fn fastest(self, length: f64) -> f64;
+
+    /// How the cost of a straight way along the unit vector `direction` grows with where it ends, per millimetre; where that
+    /// jumps, one of both.
+    fn gradient(self, direction: Vector) -> Vector;
+
+    /// Outward directions in which ways leave a circle that they turn round counter-clockwise and along which the
+    /// gradient jumps, radians; between two of them it is the same for all directions. None: it turns with the direction.
+    fn kinks(self) -> Option<[f64; 4]> {
+        None
+    }
+
     /// What the answered path's arc of `radius` costs from the outward direction `from`, radians, over `sweep` (positive
     /// counter-clockwise).
     fn arc(self, radius: f64, from: f64, sweep: f64) -> f64;
@@ -57,6 +73,18 @@ impl Measure for Length {
         by.norm()
     }
 
+    fn near(self, by: Vector, radius: f64) -> f64 {
+        (by.norm() - radius).max(0.0)
+    }
+
+    fn fastest(self, length: f64) -> f64 {
+        length
+    }
+
+    fn gradient(self, direction: Vector) -> Vector {
+        direction
+    }
+
     fn arc(self, radius: f64, _from: f64, sweep: f64) -> f64 {
         radius * sweep.abs()
     }
@@ -83,12 +111,6 @@ impl AxisTime {
         let kink = x_mm_per_s.atan2(y_mm_per_s);
         let quarter = kink.sin() / y_mm_per_s + kink.cos() / x_mm_per_s;
         Self { x_mm_per_s, y_mm_per_s, kink, quarter }
-    }
-
-    /// Directions in which both axes are equally slow, radians: outward ones of arcs, where what they cost has its kinks.
-    pub(crate) fn kinks(self) -> [f64; 4] {
-        let half = std::f64::consts::PI;
-        [self.kink, half - self.kink, half + self.kink, -self.kink]
     }
 
     /// What an arc of radius 1 costs from direction 0 counter-clockwise to `angle`.
@@ -122,6 +144,32 @@ impl Measure for AxisTime {
         (by.x.abs() / self.x_mm_per_s).max(by.y.abs() / self.y_mm_per_s)
     }
 
+    fn near(self, by: Vector, radius: f64) -> f64 {
+        let [x, y] = [by.x, by.y].map(|along| (along.abs() - radius).max(0.0));
+        self.along(Vector::new(x, y))
+    }
+
+    fn fastest(self, length: f64) -> f64 {
+        length / self.x_mm_per_s.hypot(self.y_mm_per_s)
+    }
+
+    fn gradient(self, direction: Vector) -> Vector {
+        let (x, y) = (direction.x.abs() / self.x_mm_per_s, direction.y.abs() / self.y_mm_per_s);
+        if direction == Vector::zeros() {
+            Vector::zeros()
+        } else if x > y {
+            Vector::new(direction.x.signum() / self.x_mm_per_s, 0.0)
+        } else {
+            Vector::new(0.0, direction.y.signum() / self.y_mm_per_s)
+        }
+    }
+
+    /// Where both axes are equally slow.
+    fn kinks(self) -> Option<[f64; 4]> {
+        let half = std::f64::consts::PI;
+        Some([self.kink, half - self.kink, half + self.kink, -self.kink])
+    }
+
     fn arc(self, radius: f64, from: f64, sweep: f64) -> f64 {
         radius * (self.up_to(from + sweep) - self.up_to(from)).abs()
     }
@@ -141,6 +189,22 @@ impl<M: Measure> Measure for Barred<'_, M> {
 
     fn along(self, by: Vector) -> f64 {
         self.measure.along(by)
+    }
+
+    fn near(self, by: Vector, radius: f64) -> f64 {
+        self.measure.near(by, radius)
+    }
+
+    fn fastest(self, length: f64) -> f64 {
+        self.measure.fastest(length)
+    }
+
+    fn gradient(self, direction: Vector) -> Vector {
+        self.measure.gradient(direction)
+    }
+
+    fn kinks(self) -> Option<[f64; 4]> {
+        self.measure.kinks()
     }
 
     fn arc(self, radius: f64, from: f64, sweep: f64) -> f64 {

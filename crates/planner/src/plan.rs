@@ -51,8 +51,11 @@ pub struct RapidPlan {
     pub clearance_mm: f64,
     /// Ids of the obstacles that bend the path, in path order; `work_area` where its border does.
     pub bending_obstacles: Vec<String>,
-    /// The published scan's clockwise and counter-clockwise candidates, best first; empty otherwise.
+    /// Other locally shortest ways, none cheaper than the plan, cheapest first. Of the published scan: its
+    /// clockwise and counter-clockwise candidates, shortest first.
     pub alternatives: Vec<Path>,
+    /// What each of them costs.
+    pub alternative_costs: Vec<f64>,
 }
 
 /// Why no collision-free path exists.

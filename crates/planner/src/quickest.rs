@@ -21,7 +21,7 @@ const WAYS: usize = 16;
 
 /// A way as the machine runs it.
 pub(crate) struct Way {
-    level: usize,
+    pub(crate) level: usize,
     /// What it does not bend round, and on which side.
     barred: Vec<(usize, Side)>,
     cost: f64,

@@ -161,5 +161,6 @@ fn published(candidates: Vec<Path>, exact: RapidPlan) -> Result<RapidPlan, Vec<R
     let cost = path.length();
     // Both are sums of the same lengths when the scan finds the optimum; rounding must not set them apart.
     let lower_bound = if cost <= exact.cost * (1.0 + 1e-12) { cost } else { exact.cost };
-    Ok(RapidPlan { path, cost, lower_bound, alternatives: candidates, ..exact })
+    let alternative_costs = candidates.iter().map(Path::length).collect();
+    Ok(RapidPlan { path, cost, lower_bound, alternatives: candidates, alternative_costs, ..exact })
 }

@@ -6,6 +6,8 @@ mod support;
 
 use rand::RngExt;
 use std::f64::consts::TAU;
+use support::oracle::Norm;
+use support::taut::Taut;
 use support::{answer_by, assert_close, check_by, disc, mitred, point, rectangle, scene, star};
 use traverse_geometry::{HeightRule, Path, Point, Polygon, RapidRules, Scene};
 use traverse_planner::{Answer, PreparedScene, RapidPlan, plan_rapid_move};
@@ -170,94 +172,6 @@ fn prepared_scenes_answer_the_same() {
     }
 }
 
-/// All taut paths among circles, by brute force: every sequence of circles and sides whose tangents and arcs are free and that
-/// never turns back.
-struct Taut<'a> {
-    circles: &'a [(Point, f64)],
-    target: Point,
-    limit: f64,
-    found: Vec<f64>,
-}
-
-impl Taut<'_> {
-    fn segment_is_free(&self, a: Point, b: Point) -> bool {
-        self.circles.iter().all(|&(center, radius)| {
-            let along = b - a;
-            let at = ((center - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-            (center - (a + along * at)).norm() >= radius - 5e-7
-        })
-    }
-
-    fn arc_is_free(&self, on: usize, from: f64, turn: f64) -> bool {
-        let (center, radius) = self.circles[on];
-        let count = 2 + (turn.abs() * 200.0) as usize;
-        (0..=count).all(|i| {
-            let p = center + traverse_geometry::unit(from + turn * i as f64 / count as f64) * radius;
-            self.circles.iter().all(|&(center, radius)| (p - center).norm() >= radius - 5e-7)
-        })
-    }
-
-    /// Goes on from `at`, on circle `on` with its side and the direction of arrival there; `line`: what was passed.
-    fn go(&mut self, at: Point, on: Option<(usize, f64)>, cost: f64, line: &[Point], depth: usize) {
-        let options = (0..self.circles.len()).flat_map(|i| [(Some(i), 1.0), (Some(i), -1.0)]);
-        for (next, side) in options.chain([(None, 1.0)]) {
-            let (center, radius) = next.map_or((self.target, 0.0), |i| self.circles[i]);
-            let (from_center, from_radius) =
-                on.map_or((at, 0.0), |(i, side)| (self.circles[i].0, self.circles[i].1 * side));
-            let axis = center - from_center;
-            let across = radius * side - from_radius;
-            if next.is_some() && next == on.map(|on| on.0) || axis.norm() <= across.abs() {
-                continue;
-            }
-            let angle = axis.y.atan2(axis.x) + TAU / 4.0 - (across / axis.norm()).asin();
-            let normal = traverse_geometry::unit(angle);
-            let (leaves, arrives) = (from_center - normal * from_radius, center - normal * radius * side);
-            let mut passed = line.to_vec();
-            let mut more = (arrives - leaves).norm();
-            if let Some((i, side)) = on {
-                let (center, radius) = self.circles[i];
-                let angle_of = |p: Point| (p.y - center.y).atan2(p.x - center.x);
-                let mut turn = ((angle_of(leaves) - angle_of(at)) * side).rem_euclid(TAU);
-                if turn > TAU - 1e-7 {
-                    turn = 0.0;
-                }
-                if !self.arc_is_free(i, angle_of(at), turn * side) {
-                    continue;
-                }
-                more += radius * turn;
-                let count = 1 + (turn * 60.0) as usize;
-                passed.extend((1..=count).map(|k| {
-                    center
-                        + traverse_geometry::unit(angle_of(at) + turn * side * k as f64 / count as f64)
-                            * radius
-                }));
-            }
-            passed.push(arrives);
-            if cost + more + (self.target - arrives).norm() > self.limit
-                || !self.segment_is_free(leaves, arrives)
-                || crosses_itself(&passed, line.len())
-            {
-                continue;
-            }
-            match next {
-                None => self.found.push(cost + more),
-                Some(i) if depth > 0 => self.go(arrives, Some((i, side)), cost + more, &passed, depth - 1),
-                Some(_) => panic!("paths of more bends than expected"),
-            }
-        }
-    }
-}
-
-/// Whether any of the line's segments from `new` on crosses an earlier one.
-fn crosses_itself(line: &[Point], new: usize) -> bool {
-    let crossing = |a: Point, b: Point, c: Point, d: Point| {
-        let side = |p: Point, q: Point, r: Point| traverse_geometry::cross(q - p, r - p);
-        side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
-    };
-    (new..line.len())
-        .any(|i| (1..i.saturating_sub(1)).any(|j| crossing(line[i - 1], line[i], line[j - 1], line[j])))
-}
-
 #[test]
 fn all_taut_paths_among_discs_are_found_in_order() {
     let mut compared = 0;
@@ -280,12 +194,8 @@ fn all_taut_paths_among_discs_are_found_in_order() {
         let mut found: Vec<f64> = plan.alternatives.iter().map(Path::length).collect();
         found.insert(0, plan.cost);
         let limit = if found.len() == 6 { found[5] + 1e-6 } else { 2.0 * found[found.len() - 1] + 20.0 };
-        let mut taut = Taut { circles: &circles, target, limit, found: Vec::new() };
-        taut.go(start, None, 0.0, &[start], 14);
-        let mut expected = taut.found;
-        expected.sort_by(f64::total_cmp);
-        // A bend of no turn is found with and without it.
-        expected.dedup_by(|a, b| (*a - *b).abs() < 1e-7);
+        let taut = Taut { norm: Norm::Length, circles: &circles, target, limit, found: Vec::new() };
+        let mut expected = taut.all(start);
         expected.truncate(found.len().max(6));
         let is_more = expected.len() > found.len();
         assert!(!is_more, "seed {seed}: {expected:?} but {found:?}\n{scene:?} {start} {target}");

@@ -5,65 +5,11 @@
 mod support;
 
 use rand::RngExt;
-use support::{answer_by, assert_close, disc, mitred, plan, point, polygon, rectangle, scene, stars};
-use traverse_checker::{PlacedChange, check_tool_change};
-use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, EndRule, HeightRule, Location, Point, Polygon, RapidRules, Ring, Scene,
-};
-use traverse_planner::{
-    Answer, FeasibleClearance, NoPath, Refusal, ToolChange, ToolChangeAnswer, ToolChangePlan,
-    plan_tool_change,
-};
+use support::tool_change::{any_region, change, compare, no_place, placed, placed_plan};
+use support::{assert_close, disc, mitred, plan, point, polygon, rectangle, scene, stars};
+use traverse_geometry::{EndRule, HeightRule, Point, Polygon, RapidRules, Ring};
+use traverse_planner::{FeasibleClearance, Refusal, ToolChange, ToolChangeAnswer, plan_tool_change};
 use traverse_solve::{Budget, Interrupt, Seed, Silent};
-
-fn change(start: Point, target: Point, regions: Vec<Polygon>) -> ToolChange {
-    ToolChange { start, target, regions, points: Vec::new(), place_z_mm: None, rules: RapidRules::default() }
-}
-
-/// What came of a tool change; every plan is checked.
-fn placed(scene: &Scene, question: &ToolChange) -> Result<ToolChangeAnswer, Vec<Refusal>> {
-    assert!(question.findings().is_empty() && question.rules.findings().is_empty());
-    let (answer, _) = plan_tool_change(scene, question, &Budget::unlimited(), &mut Silent)?;
-    if let ToolChangeAnswer::Plan(plan) = &answer {
-        assert_sound(scene, question, plan);
-    }
-    Ok(answer)
-}
-
-fn assert_sound(scene: &Scene, question: &ToolChange, plan: &ToolChangePlan) {
-    let [approach, departure] = [question.approach_rules(), question.departure_rules()];
-    let placed = PlacedChange {
-        scene,
-        start: question.start,
-        target: question.target,
-        regions: &question.regions,
-        points: &question.points,
-        rules: [&approach, &departure],
-        place: plan.place,
-        paths: [&plan.approach.path, &plan.departure.path],
-    };
-    let check = check_tool_change(&placed, CONTACT_TOLERANCE_MM);
-    assert!(check.violations.is_empty(), "{:#?}\n{plan:?}\n{question:?}\n{scene:?}", check.violations);
-    assert_close(check.cost, plan.cost, "cost recomputed");
-    assert_eq!(check.clearance_mm, plan.approach.clearance_mm);
-    assert_eq!(plan.departure.clearance_mm, plan.approach.clearance_mm);
-    assert_close(plan.approach.cost + plan.departure.cost, plan.cost, "sum");
-    assert!(plan.lower_bound <= plan.cost && plan.lower_bound >= plan.cost * (1.0 - 2e-9), "{plan:?}");
-}
-
-fn placed_plan(scene: &Scene, question: &ToolChange) -> ToolChangePlan {
-    match placed(scene, question) {
-        Ok(ToolChangeAnswer::Plan(plan)) => *plan,
-        other => panic!("no place: {other:?}\n{question:?}"),
-    }
-}
-
-fn no_place(scene: &Scene, question: &ToolChange) -> NoPath {
-    match placed(scene, question) {
-        Ok(ToolChangeAnswer::NoPath(no_path)) => no_path,
-        other => panic!("a place: {other:?}\n{question:?}"),
-    }
-}
 
 #[test]
 fn points_meet_in_the_mirror_point() {
@@ -121,83 +67,6 @@ fn points_alone_are_the_cheapest_of_all() {
     assert_eq!(found.place, points[2]);
     let expected = plan(&walls, start, points[2]).cost + plan(&walls, points[2], target).cost;
     assert_close(found.cost, expected, "both moves");
-}
-
-/// The least cost over many places of the regions, and of the points.
-fn sampled(scene: &Scene, question: &ToolChange, per_side: usize) -> Option<f64> {
-    let mut best: Option<f64> = None;
-    let mut places = question.points.clone();
-    for region in &question.regions {
-        let bounds = region.bounds();
-        let size = bounds.size();
-        for i in 0..=per_side {
-            for j in 0..=per_side {
-                let [x, y] = [i, j].map(|at| at as f64 / per_side as f64);
-                places.push(bounds.min + traverse_geometry::Vector::new(size.x * x, size.y * y));
-            }
-        }
-        for edge in region.rings().flat_map(Ring::edges) {
-            places.extend((0..2 * per_side).map(|i| edge.point_at(i as f64 / (2 * per_side) as f64)));
-        }
-    }
-    let permitted = |p: &Point| {
-        question.points.contains(p)
-            || question.regions.iter().any(|region| region.locate(*p) != Location::Outside)
-    };
-    let [to, on] = [question.approach_rules(), question.departure_rules()];
-    for place in places.into_iter().filter(permitted) {
-        let approach = answer_by(scene, &to, question.start, place);
-        let Ok(Answer::Plan(approach)) = approach else { continue };
-        if best.is_some_and(|best| approach.cost + (question.target - place).norm() > best) {
-            continue;
-        }
-        let Ok(Answer::Plan(departure)) = answer_by(scene, &on, place, question.target) else { continue };
-        let cost = approach.cost + departure.cost;
-        best = Some(best.map_or(cost, |best| best.min(cost)));
-    }
-    best
-}
-
-/// Holds the plan against sampling: nothing sampled is cheaper, and the best sampled comes near.
-fn compare(scene: &Scene, question: &ToolChange, near: f64, what: &str) -> bool {
-    let found = match placed(scene, question) {
-        Err(refusals) => {
-            assert!(
-                refusals.iter().all(|r| matches!(r, Refusal::EndInsideBarrier { .. })),
-                "{what}: {refusals:?}"
-            );
-            return false;
-        }
-        Ok(found) => found,
-    };
-    let best = sampled(scene, question, 10);
-    match (found, best) {
-        (ToolChangeAnswer::Plan(plan), Some(best)) => {
-            assert!(
-                best >= plan.cost * (1.0 - 1e-9),
-                "{what}: {best} is below {}\n{question:?}\n{scene:?}",
-                plan.cost
-            );
-            assert!(best <= plan.cost + near, "{what}: {best} is far above {}", plan.cost);
-            true
-        }
-        (ToolChangeAnswer::NoPath(_), Some(best)) => {
-            panic!("{what}: there is a place for {best}\n{question:?}")
-        }
-        (ToolChangeAnswer::Plan(_) | ToolChangeAnswer::NoPath(_), None) => false,
-    }
-}
-
-fn any_region(random: &mut impl RngExt, side: f64) -> Polygon {
-    let center = point(random.random_range(0.0..side), random.random_range(0.0..side));
-    match random.random_range(0..3) {
-        0 => disc(center.x, center.y, random.random_range(1.0..side / 6.0)),
-        1 => support::star(random, center, side / 5.0, 6),
-        _ => {
-            let (w, h) = (random.random_range(0.5..side / 4.0), random.random_range(0.5..side / 4.0));
-            rectangle(center.x - w, center.y - h, center.x + w, center.y + h)
-        }
-    }
 }
 
 #[test]

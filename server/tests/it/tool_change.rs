@@ -42,6 +42,80 @@ async fn the_best_place_comes_with_both_moves() {
     }
 }
 
+fn axis_speeds(x_mm_per_s: f64, y_mm_per_s: f64) -> Option<v1::TravelCost> {
+    let speeds = v1::travel_cost::AxisSpeeds { x_mm_per_s, y_mm_per_s, z_mm_per_s: 0.0 };
+    Some(v1::TravelCost { measure: Some(v1::travel_cost::Measure::AxisSpeeds(speeds)) })
+}
+
+fn kinematics() -> Option<v1::TravelCost> {
+    let limits = v1::travel_cost::Kinematics {
+        speed_mm_per_s: 300.0,
+        acceleration_mm_per_s2: 1500.0,
+        junction_deviation_mm: 0.02,
+        ..Default::default()
+    };
+    Some(v1::TravelCost { measure: Some(v1::travel_cost::Measure::Kinematics(limits)) })
+}
+
+/// Rules in seconds: of axes, the same by dog-legs, with acceleration.
+fn by_seconds() -> [v1::RapidRules; 3] {
+    let axes = v1::RapidRules { cost: axis_speeds(10.0, 4.0), ..Default::default() };
+    let legs = v1::RapidRules { motion: v1::RapidMotion::DogLeg.into(), ..axes.clone() };
+    [axes, legs, v1::RapidRules { cost: kinematics(), ..Default::default() }]
+}
+
+async fn checked(
+    server: &Running,
+    request: v1::PlanRapidMoveRequest,
+    path: Option<v1::Path>,
+) -> v1::CheckRapidMoveResponse {
+    let check = v1::CheckRapidMoveRequest { request: Some(request), path, tolerance_mm: None };
+    let checked = server.client().await.check_rapid_move(check).await.expect("sound").into_inner();
+    assert_eq!(checked.violations, []);
+    checked
+}
+
+#[tokio::test]
+async fn places_are_found_in_seconds_and_both_moves_pass_the_check() {
+    let server = Running::start().await;
+    for rules in by_seconds() {
+        let request = v1::PlaceToolChangeRequest { rules: Some(rules.clone()), ..above_a_block() };
+        let Some(Outcome::Plan(plan)) = placed(&server, request).await.outcome else { panic!("a place") };
+        assert_eq!(plan.cost_unit(), v1::CostUnit::Seconds);
+        assert!(plan.lower_bound > 0.0 && plan.lower_bound <= plan.cost, "{plan:?}");
+        // Up 18 and down 18 at 4 mm/s, and along no slower.
+        assert!(rules.cost != axis_speeds(10.0, 4.0) || plan.cost == 9.0 && plan.lower_bound == 9.0);
+        let moves =
+            [(point(-5.0, 2.0), plan.place, plan.approach), (plan.place, point(15.0, 2.0), plan.departure)];
+        let mut cost = 0.0;
+        for (start, target, found) in moves {
+            let rules = Some(rules.clone());
+            let request = v1::PlanRapidMoveRequest { start, target, rules, ..past_a_block() };
+            cost += checked(&server, request, found.and_then(|plan| plan.path)).await.cost;
+        }
+        assert!((cost - plan.cost).abs() < 1e-9);
+    }
+}
+
+#[tokio::test]
+async fn alternatives_are_told_in_seconds_and_pass_the_check() {
+    let server = Running::start().await;
+    for rules in by_seconds() {
+        let rules = Some(v1::RapidRules { alternative_count: 3, ..rules });
+        let request = v1::PlanRapidMoveRequest { rules, ..past_a_block() };
+        let answer = server.client().await.plan_rapid_move(request.clone()).await.expect("sound");
+        let outcome = answer.into_inner().outcome;
+        let Some(v1::plan_rapid_move_response::Outcome::Plan(plan)) = outcome else { panic!("a plan") };
+        let ([way], [cost]) = (&plan.alternatives[..], &plan.alternative_costs[..]) else {
+            panic!("one other way: {plan:?}")
+        };
+        assert!(*cost >= plan.cost);
+        let recomputed = checked(&server, request, Some(way.clone())).await;
+        assert_eq!(recomputed.cost_unit(), v1::CostUnit::Seconds);
+        assert!((recomputed.cost - cost).abs() < 1e-9);
+    }
+}
+
 #[tokio::test]
 async fn points_heights_and_no_place() {
     let server = Running::start().await;

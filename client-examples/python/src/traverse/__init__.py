@@ -8,7 +8,7 @@
 Lengths are millimetres, angles radians, times seconds; x to the right, y up, counter-clockwise positive.
 """
 
-from .answer import Check, Limits, NoPath, RapidPlan, Stats, Violation
+from .answer import Check, Limits, NoPath, RapidPlan, Stats, ToolChangePlan, Violation
 from .arc import Arc
 from .client import Client
 from .effort import Algorithm, Effort
@@ -54,6 +54,7 @@ __all__ = [
     "Stats",
     "Step",
     "TimeOver",
+    "ToolChangePlan",
     "Violation",
     "picture",
 ]

@@ -76,6 +76,22 @@ class NoPath:
 
 
 @dataclass(frozen=True)
+class ToolChangePlan:
+    """Where to change the tool, and both moves."""
+
+    place: Point
+    """Where the tool is changed."""
+    approach: RapidPlan
+    """From the start to the place."""
+    departure: RapidPlan
+    """From the place to the target."""
+    cost_mm: float
+    """Of both moves, millimetres."""
+    lower_bound_mm: float
+    """No permitted place costs less. Equal to ``cost_mm`` when proven; lower by at most 1e-9 of it on arcs."""
+
+
+@dataclass(frozen=True)
 class Violation:
     """One thing that a path or a layout does against its request."""
 

@@ -11,12 +11,13 @@ import grpc
 from google.protobuf.message import Message
 
 from . import wire
-from .answer import Check, Limits, NoPath, RapidPlan
+from .answer import Check, Limits, NoPath, RapidPlan, ToolChangePlan
 from .effort import Effort
 from .layout import Certificate, Layout, LayoutRules, PlacedSection, Section
 from .path import Path
 from .retry import Retry
-from .scene import Scene
+from .ring import Ring
+from .scene import Polygon, Scene
 from .session import Session
 from .status import exception
 from .v1 import distances_pb2, rapid_pb2, sections_pb2, service_pb2, session_pb2
@@ -128,6 +129,27 @@ class Client:
             tolerance_mm=tolerance_mm,
         )
         return wire.check(self._call("CheckRapidMove", request, rapid_pb2.CheckRapidMoveResponse, deadline))
+
+    def place_tool_change(
+        self,
+        scene: Scene,
+        start: tuple[float, float],
+        target: tuple[float, float],
+        *,
+        regions: Iterable[Ring | Polygon] = (),
+        points: Iterable[tuple[float, float]] = (),
+        effort: Effort = _EFFORT,
+        deadline: float | None = None,
+    ) -> ToolChangePlan | NoPath:
+        """Where to change the tool on the way from ``start`` to ``target``, or that no such place can be reached.
+
+        regions: the change may happen anywhere in one of these; points: or at one of these. One of both is needed. What
+        lies in a barrier is left out.
+        Raises what ``plan_rapid_move`` raises.
+        """
+        request = wire.tool_change_message(scene, start, target, regions, points, effort)
+        response = self._call("PlaceToolChange", request, rapid_pb2.PlaceToolChangeResponse, deadline)
+        return wire.tool_change(scene, start, target, response)
 
     def plan_distances(
         self,

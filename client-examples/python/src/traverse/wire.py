@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from datetime import timedelta
 
-from .answer import Check, Limits, NoPath, RapidPlan, Stats, Violation
+from .answer import Check, Limits, NoPath, RapidPlan, Stats, ToolChangePlan, Violation
 from .arc import Arc
 from .effort import Algorithm, Effort
 from .layout import Certificate, Layout, LayoutRules, PlacedSection, Pose, Section
@@ -49,6 +49,26 @@ def distances_message(
         scene=scene_message(scene),
         from_xy_mm=(number for point in sources for number in point),
         to_xy_mm=(number for point in targets for number in point),
+        rules=_rules(effort),
+    )
+
+
+def tool_change_message(
+    scene: Scene,
+    start: tuple[float, float],
+    target: tuple[float, float],
+    regions: Iterable[Ring | Polygon],
+    points: Iterable[tuple[float, float]],
+    effort: Effort,
+) -> rapid_pb2.PlaceToolChangeRequest:
+    """A request for the best place of a tool change."""
+    shapes = (region if isinstance(region, Polygon) else Polygon(region) for region in regions)
+    return rapid_pb2.PlaceToolChangeRequest(
+        scene=scene_message(scene),
+        start=_point(start),
+        target=_point(target),
+        regions=(_polygon(shape) for shape in shapes),
+        points=(_point(point) for point in points),
         rules=_rules(effort),
     )
 
@@ -193,18 +213,16 @@ def step_outcome(
     message: rapid_pb2.PlanRapidMoveResponse | session_pb2.PlanRapidMovesResponse,
 ) -> RapidPlan | NoPath:
     """What came of a move, asked for alone or in a session."""
-    stats = Stats(
-        message.stats.barrier_vertex_count,
-        message.stats.expanded_node_count,
-        message.stats.prepare_duration.ToTimedelta(),
-        message.stats.search_duration.ToTimedelta(),
-    )
+    stats = _stats(message.stats)
     kind = message.WhichOneof("outcome")
     if kind == "no_path":
         return NoPath(scene, start, target, tuple(message.no_path.separating_obstacle_ids), stats)
     if kind != "plan":
         raise NotImplementedError("the server answered with an outcome that this client does not know: update it")
-    plan = message.plan
+    return _plan(scene, message.plan, stats)
+
+
+def _plan(scene: Scene, plan: rapid_pb2.RapidPlan, stats: Stats) -> RapidPlan:
     return RapidPlan(
         scene,
         _path_of(plan.path),
@@ -213,6 +231,39 @@ def step_outcome(
         tuple(plan.bending_obstacle_ids),
         tuple(_path_of(each) for each in plan.alternatives),
         stats,
+    )
+
+
+def _stats(message: rapid_pb2.RapidStats) -> Stats:
+    return Stats(
+        message.barrier_vertex_count,
+        message.expanded_node_count,
+        message.prepare_duration.ToTimedelta(),
+        message.search_duration.ToTimedelta(),
+    )
+
+
+def tool_change(
+    scene: Scene,
+    start: tuple[float, float],
+    target: tuple[float, float],
+    message: rapid_pb2.PlaceToolChangeResponse,
+) -> ToolChangePlan | NoPath:
+    """What came of a request for the best place of a tool change."""
+    stats = _stats(message.stats)
+    kind = message.WhichOneof("outcome")
+    if kind == "no_path":
+        separating = tuple(message.no_path.separating_obstacle_ids)
+        return NoPath(scene, Point(*start), Point(*target), separating, stats)
+    if kind != "plan":
+        raise NotImplementedError("the server answered with an outcome that this client does not know: update it")
+    plan = message.plan
+    return ToolChangePlan(
+        Point(plan.place.x_mm, plan.place.y_mm),
+        _plan(scene, plan.approach, stats),
+        _plan(scene, plan.departure, stats),
+        plan.cost,
+        plan.lower_bound,
     )
 
 

@@ -9,7 +9,7 @@
 
 use super::pair::Pair;
 use super::{Driver, sweep};
-use crate::measure::AxisTime;
+use crate::measure::{AxisTime, Measure};
 use crate::search::Stop;
 use std::f64::consts::{FRAC_PI_4, TAU};
 use traverse_geometry::{ARC_CHORD_TOLERANCE_MM, Path, unit};
@@ -90,7 +90,7 @@ fn corners(stop: &Stop, tolerance_mm: f64, axes: Option<AxisTime>) -> Option<Vec
 /// The sweep, parted where costs have kinks.
 fn parts(from: f64, sweep: f64, axes: Option<AxisTime>) -> Vec<f64> {
     let turn_to = |kink: f64| ((kink - from) * sweep.signum()).rem_euclid(TAU);
-    let mut places: Vec<f64> = axes.iter().flat_map(|axes| axes.kinks()).map(turn_to).collect();
+    let mut places: Vec<f64> = axes.iter().filter_map(|axes| axes.kinks()).flatten().map(turn_to).collect();
     let is_inside = |&place: &f64| place > NARROWEST_PART_RAD && place < sweep.abs() - NARROWEST_PART_RAD;
     places.retain(is_inside);
     places.sort_by(f64::total_cmp);
@@ -103,7 +103,6 @@ fn parts(from: f64, sweep: f64, axes: Option<AxisTime>) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::Measure;
     use traverse_geometry::AxisSpeeds;
 
     #[test]

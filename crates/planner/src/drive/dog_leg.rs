@@ -144,6 +144,22 @@ impl Measure for DogLegTime<'_> {
         self.time.along(by)
     }
 
+    fn near(self, by: Vector, radius: f64) -> f64 {
+        self.time.near(by, radius)
+    }
+
+    fn fastest(self, length: f64) -> f64 {
+        self.time.fastest(length)
+    }
+
+    fn gradient(self, direction: Vector) -> Vector {
+        self.time.gradient(direction)
+    }
+
+    fn kinks(self) -> Option<[f64; 4]> {
+        self.time.kinks()
+    }
+
     fn arc(self, radius: f64, from: f64, sweep: f64) -> f64 {
         self.time.arc(radius, from, sweep)
     }

@@ -1,9 +1,12 @@
-//! Other locally shortest ways, shortest first.
+//! Other locally shortest ways, cheapest first.
 //!
 //! Free space with its border has no curvature that could let two locally shortest ways be moved into one another: each way
 //! of going round the barriers (each homotopy class) has exactly one. So other kinds of ways are found as other taut paths: every
 //! sequence of tangents and arcs that never turns back is one. They are looked for best first without dropping a label for
 //! another one that is cheaper. Left out are paths that cross or touch themselves, such as one more turn round an obstacle.
+//!
+//! Every norm of the plane has the same ways: pulling a path tight makes it longer by none ([`crate::measure`]), and stays
+//! among the paths that it can be moved into; so no path of a class costs less than its taut one. Only their order differs.
 //!
 //! What a label's path costs at least is known nearly exactly: a fan from the target grows ahead of the search and says what
 //! the way on from a feature costs when it never turns back. Barriers that no path of the present estimate can touch are not
@@ -21,6 +24,7 @@ use super::{End, Known, Way};
 use crate::Stats;
 use crate::barrier::{Feature, Side};
 use crate::barriers::Barriers;
+use crate::measure::Measure;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
@@ -30,25 +34,41 @@ use traverse_solve::{Budget, Interrupt};
 /// A path that bends by less than this goes straight on, radians: then the bend is no part of it.
 const STRAIGHT_RAD: f64 = 1e-9;
 
-/// Estimates that rise by less than this when they are looked at again are what they were, millimetres.
-const ESTIMATE_TOLERANCE_MM: f64 = 1e-9;
+/// Estimates that differ in so many of their last bits alone are equal: by a share of 1e-12.
+const EQUAL_BITS: u32 = 12;
 
-/// Locally shortest ways between two ends, the shortest among them, shortest first, at most `count`; fewer when the
-/// budget ends.
+/// Estimates that rise by less than this share when they are looked at again are what they were: rounding.
+const ESTIMATE_RATIO: f64 = 1e-11;
+
+/// Whether the machine can run a straight move that nothing blocks, from point to point.
+pub(crate) type HasRoom<'a> = &'a dyn Fn(Point, Point) -> bool;
+
+/// What is asked for: locally shortest ways between two ends.
+pub(crate) struct Between<'a, M> {
+    pub(crate) measure: M,
+    pub(crate) barriers: &'a Barriers<'a>,
+    /// Owners of barriers that are taken for not there.
+    pub(crate) left_out: &'a BTreeSet<usize>,
+    pub(crate) ends: [&'a End; 2],
+    /// Ways with a straight move that has no room are left out.
+    pub(crate) has_room: HasRoom<'a>,
+}
+
+/// Locally shortest ways, the cheapest among them, cheapest first, at most `count`; fewer when the budget ends.
 pub(crate) fn locally_shortest(
-    barriers: &Barriers<'_>,
-    left_out: &BTreeSet<usize>,
-    ends: [&End; 2],
+    asked: &Between<'_, impl Measure>,
     count: usize,
     stats: &mut Stats,
     budget: &Budget,
 ) -> Vec<Route> {
+    let Between { measure, barriers, left_out, ends, has_room } = *asked;
     let beyond = End { point: ends[0].point, places: Vec::new(), shut_in_by: Vec::new() };
-    let aim = Aim::new([Bounds::of([beyond.point])], beyond.point);
+    let aim = Aim::new(measure, [Bounds::of([beyond.point])], beyond.point);
     let mut ways = Ways {
         barriers,
-        forth: Search::new(Known::new(barriers, left_out), ends[0], ends[1]),
-        back: Fan::new(Known::new(barriers, left_out), ends[1], &beyond, aim),
+        forth: Search::by(measure, Known::new(barriers, left_out), ends[0], ends[1]),
+        back: Fan::new(measure, Known::new(barriers, left_out), ends[1], &beyond, aim),
+        has_room,
         numbers: Default::default(),
         to_meet: Vec::new(),
         labels: Vec::new(),
@@ -63,17 +83,21 @@ pub(crate) fn locally_shortest(
     ways.found
 }
 
-struct Ways<'a> {
+struct Ways<'a, M> {
     barriers: &'a Barriers<'a>,
-    forth: Search<'a>,
+    forth: Search<'a, M>,
     /// From the target.
-    back: Fan<'a>,
+    back: Fan<'a, M>,
+    has_room: HasRoom<'a>,
     /// In either search.
     numbers: [Numbers; 2],
     /// Owners not met yet, those that the dearest paths touch first, and what a path that touches them costs at least.
     to_meet: Vec<(f64, usize)>,
-    labels: Vec<Label>,
-    open: BinaryHeap<(Reverse<u64>, Reverse<u32>)>,
+    /// With what a path through each costs at least.
+    labels: Vec<(f64, Label)>,
+    /// Lowest estimate first; the later label of equals, which is nearer to the target: by a norm that is not strict very many
+    /// ways cost the same.
+    open: BinaryHeap<(Reverse<u64>, u32)>,
     /// Of every stance of the search.
     trails: Vec<Trail>,
     /// Bends of the paths that were looked into.
@@ -81,7 +105,7 @@ struct Ways<'a> {
     found: Vec<Route>,
 }
 
-impl Ways<'_> {
+impl<M: Measure> Ways<'_, M> {
     fn run(
         &mut self,
         left_out: &BTreeSet<usize>,
@@ -108,7 +132,7 @@ impl Ways<'_> {
                 self.back.grow(budget, &mut stats.expanded_nodes)?;
             }
             let Some(now) = self.estimate(&label) else { continue };
-            if now > estimate + ESTIMATE_TOLERANCE_MM {
+            if now > estimate * (1.0 + ESTIMATE_RATIO) {
                 self.push(now, label);
                 continue;
             }
@@ -141,9 +165,11 @@ impl Ways<'_> {
     /// Works out what a path that touches an owner's barrier costs at least.
     fn list_owners(&mut self, left_out: &BTreeSet<usize>, budget: &Budget) -> Result<(), Interrupt> {
         let (start, target) = (self.forth.tree.start.point, self.forth.tree.target.point);
+        let measure = self.forth.tree.measure;
         let touched = |circle: &Feature| {
-            let by = (circle.center - start).norm() + (target - circle.center).norm();
-            (by - 2.0 * circle.plan_radius).max(0.0) * (1.0 - 1e-12)
+            let radius = circle.plan_radius;
+            let ways = [circle.center - start, target - circle.center];
+            ways.into_iter().map(|by| measure.near(by, radius)).sum::<f64>() * (1.0 - 1e-12)
         };
         let mut features = Vec::new();
         for owner in self.barriers.owners().filter(|owner| !left_out.contains(owner)) {
@@ -185,7 +211,7 @@ impl Ways<'_> {
     /// The open label of the lowest estimate, and that.
     fn pop(&mut self) -> Option<(f64, Label)> {
         loop {
-            let best = self.open.peek().map(|(Reverse(bits), _)| f64::from_bits(*bits));
+            let best = self.open.peek().map(|(Reverse(rank), _)| highest_of(*rank));
             match self.forth.tree.lowest_estimate() {
                 Some(estimate) if best.is_none_or(|best| estimate <= best) => {
                     let (estimate, label) = self.forth.tree.pop()?;
@@ -194,22 +220,23 @@ impl Ways<'_> {
                     }
                 }
                 _ => {
-                    let (Reverse(bits), Reverse(index)) = self.open.pop()?;
-                    return Some((f64::from_bits(bits), self.labels[index as usize]));
+                    let (_, index) = self.open.pop()?;
+                    return Some(self.labels[index as usize]);
                 }
             }
         }
     }
 
     fn push(&mut self, estimate: f64, label: Label) {
-        self.open.push((Reverse(estimate.to_bits()), Reverse(self.labels.len() as u32)));
-        self.labels.push(label);
+        self.open.push((Reverse(estimate.to_bits() >> EQUAL_BITS), self.labels.len() as u32));
+        self.labels.push((estimate, label));
     }
 
     /// What a path through the label costs at least, as far as is known; none where no way leads on.
     fn estimate(&mut self, label: &Label) -> Option<f64> {
         let unknown = self.back.lowest();
-        let straight = |at: Point| label.cost + (self.forth.tree.target.point - at).norm();
+        let measure = self.forth.tree.measure;
+        let straight = |at: Point| label.cost + measure.along(self.forth.tree.target.point - at);
         match label.place {
             Place::Target(_) => Some(label.cost),
             Place::Start(_) => Some(straight(self.forth.tree.start.point)),
@@ -217,17 +244,13 @@ impl Ways<'_> {
                 let circle = self.forth.known.features[feature as usize];
                 let owner = circle.owner;
                 let nearest = label.cost
-                    + ((self.forth.tree.target.point - circle.center).norm() - circle.price_radius).max(0.0);
+                    + measure.near(self.forth.tree.target.point - circle.center, circle.price_radius);
                 let first = self.numbers[0].first_of(&self.forth.known.features, owner)?;
                 let own = self.numbers[1].first_of(&self.back.search.known.features, owner);
                 let least = own.and_then(|own| {
                     let there = own + (feature - first);
-                    self.back.search.tree.settled.least(
-                        there,
-                        flipped(side),
-                        circle.price_radius,
-                        label.offset,
-                    )
+                    let arc = |from| measure.between(&circle, from, label.offset);
+                    self.back.search.tree.settled.least(there, flipped(side), label.offset, arc)
                 });
                 match (least, unknown) {
                     (Some(least), None) => Some(label.cost + least),
@@ -254,15 +277,20 @@ impl Ways<'_> {
             })
     }
 
-    /// Whether nothing is in the way of the straight move that leads to the label. Meets what is.
+    /// Whether nothing is in the way of the straight move that leads to the label, and it has room. Meets what is.
     fn is_free(&mut self, label: &Label, budget: &Budget) -> Result<bool, Interrupt> {
         let Some(leg) = self.forth.tree.leg(&self.forth.known, label) else { return Ok(true) };
         match self.forth.known.way(leg.planned.from, leg.planned.to) {
-            Way::Free => Ok(true),
+            Way::Free => Ok((self.has_room)(leg.planned.from, leg.planned.to)),
             Way::Blocked => Ok(false),
             Way::Meets(owner) => self.meet(owner, budget).map(|_| false),
         }
     }
+}
+
+/// The highest estimate of a rank.
+fn highest_of(rank: u64) -> f64 {
+    f64::from_bits((rank << EQUAL_BITS) | ((1 << EQUAL_BITS) - 1))
 }
 
 fn flipped(side: Side) -> Side {

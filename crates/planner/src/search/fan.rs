@@ -8,34 +8,36 @@ use super::label::{Label, Place};
 use super::shortest::Search;
 use super::stance::From;
 use super::{End, Known, Way};
+use crate::measure::{Length, Measure};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use traverse_geometry::{Bounds, Point};
+use traverse_geometry::{Bounds, Point, Vector};
 use traverse_solve::{Budget, Interrupt};
 
 /// Where the ways of a fan lead: through one of some boxes to a point.
 #[derive(Clone, Debug)]
 pub(crate) struct Aim {
-    /// Each box, and how far it is from the point, millimetres.
+    /// Each box, and what the way from it to the point costs at least.
     boxes: Vec<(Bounds, f64)>,
 }
 
 impl Aim {
     /// Through one of `boxes` to `beyond`.
-    pub(crate) fn new(boxes: impl IntoIterator<Item = Bounds>, beyond: Point) -> Self {
-        Self { boxes: boxes.into_iter().map(|bounds| (bounds, distance(&bounds, beyond))).collect() }
+    pub(crate) fn new(measure: impl Measure, boxes: impl IntoIterator<Item = Bounds>, beyond: Point) -> Self {
+        let rest = |bounds| (bounds, measure.along(outside(&bounds, beyond)));
+        Self { boxes: boxes.into_iter().map(rest).collect() }
     }
 
-    /// No way from within `radius` of `p` through a box to the point is shorter.
-    fn rest(&self, p: Point, radius: f64) -> f64 {
-        let through = |(bounds, rest): &(Bounds, f64)| (distance(bounds, p) - radius).max(0.0) + rest;
+    /// No way from within `radius` of `p` through a box to the point costs less.
+    fn rest(&self, measure: impl Measure, p: Point, radius: f64) -> f64 {
+        let through = |(bounds, rest): &(Bounds, f64)| measure.near(outside(bounds, p), radius) + rest;
         self.boxes.iter().map(through).fold(f64::INFINITY, f64::min)
     }
 }
 
-fn distance(bounds: &Bounds, p: Point) -> f64 {
-    let outside = (bounds.min - p).sup(&(p - bounds.max));
-    outside.x.max(0.0).hypot(outside.y.max(0.0))
+/// How far `p` lies outside of a box along each axis.
+pub(crate) fn outside(bounds: &Bounds, p: Point) -> Vector {
+    (bounds.min - p).sup(&(p - bounds.max)).sup(&Vector::zeros())
 }
 
 /// Where the ways of a fan leave for places that see it: the end itself, or a circle that they bend round.
@@ -45,7 +47,7 @@ pub(crate) struct Bend {
     pub(crate) center: Point,
     /// Radius of the answered path round it, millimetres; 0 for the end.
     pub(crate) radius: f64,
-    /// What the way to the arrival costs, millimetres.
+    /// What the way to the arrival costs.
     pub(crate) cost: f64,
     /// How ways turn on the circle; none at the end itself.
     pub(crate) turn: Option<Turn>,
@@ -63,19 +65,20 @@ pub(crate) struct Turn {
 }
 
 /// A fan under way.
-pub(crate) struct Fan<'a> {
-    pub(super) search: Search<'a>,
+pub(crate) struct Fan<'a, M = Length> {
+    pub(super) search: Search<'a, M>,
     aim: Aim,
     labels: Vec<Label>,
     /// Open labels by what a path through them costs at least.
     open: BinaryHeap<(Reverse<u64>, u32)>,
 }
 
-impl<'a> Fan<'a> {
+impl<'a, M: Measure> Fan<'a, M> {
     /// A fan from `start`. `beyond` is where the ways lead in the end; it has no places.
-    pub(crate) fn new(known: Known<'a>, start: &'a End, beyond: &'a End, aim: Aim) -> Self {
+    pub(crate) fn new(measure: M, known: Known<'a>, start: &'a End, beyond: &'a End, aim: Aim) -> Self {
         debug_assert!(beyond.places.is_empty(), "a fan has no target");
-        Self { search: Search::new(known, start, beyond), aim, labels: Vec::new(), open: BinaryHeap::new() }
+        let search = Search::by(measure, known, start, beyond);
+        Self { search, aim, labels: Vec::new(), open: BinaryHeap::new() }
     }
 
     /// What a path through an open label costs at least; none when everything that can be reached was.
@@ -99,7 +102,7 @@ impl<'a> Fan<'a> {
             Place::Feature(feature, _) => {
                 let circle = &self.search.known.features[feature as usize];
                 // A hair less, so that rounding takes none away.
-                self.aim.rest(circle.center, circle.plan_radius) * (1.0 - 1e-12)
+                self.aim.rest(self.search.tree.measure, circle.center, circle.plan_radius) * (1.0 - 1e-12)
             }
             Place::Start(_) | Place::Target(_) => 0.0,
         }
@@ -195,13 +198,20 @@ impl<'a> Fan<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::AxisTime;
+    use traverse_geometry::AxisSpeeds;
 
     #[test]
     fn an_aim_bounds_the_way_through_the_nearest_box() {
         let box_at = |x: f64| Bounds::of([Point::new(x, 0.0), Point::new(x + 1.0, 1.0)]);
-        let aim = Aim::new([box_at(10.0), box_at(-30.0)], Point::new(20.0, 0.5));
-        assert_eq!(aim.rest(Point::new(0.0, 0.5), 0.0), 10.0 + 9.0);
-        assert_eq!(aim.rest(Point::new(10.5, 4.0), 2.0), 1.0 + 9.0);
-        assert_eq!(Aim::new([], Point::origin()).rest(Point::origin(), 0.0), f64::INFINITY);
+        let aim = Aim::new(Length, [box_at(10.0), box_at(-30.0)], Point::new(20.0, 0.5));
+        assert_eq!(aim.rest(Length, Point::new(0.0, 0.5), 0.0), 10.0 + 9.0);
+        assert_eq!(aim.rest(Length, Point::new(10.5, 4.0), 2.0), 1.0 + 9.0);
+        assert_eq!(Aim::new(Length, [], Point::origin()).rest(Length, Point::origin(), 0.0), f64::INFINITY);
+        let speeds = AxisSpeeds { x_mm_per_s: 2.0, y_mm_per_s: 0.5, z_mm_per_s: 0.0 };
+        let time = AxisTime::new(&speeds);
+        let aim = Aim::new(time, [box_at(10.0)], Point::new(20.0, 4.0));
+        // Up 3 takes longer than along 9; then the slower of 10 − 2 along and 4 − 2 down.
+        assert_eq!(aim.rest(time, Point::new(0.0, 5.0), 2.0), 6.0 + 4.0);
     }
 }

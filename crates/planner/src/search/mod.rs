@@ -26,12 +26,12 @@ mod tangent;
 mod trail;
 mod tree;
 
-pub(crate) use alternatives::locally_shortest;
+pub(crate) use alternatives::{Between, locally_shortest};
 pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 #[cfg(test)]
 pub(crate) use fan::Turn;
-pub(crate) use fan::{Aim, Bend, Fan};
+pub(crate) use fan::{Aim, Bend, Fan, outside};
 pub(crate) use ground::{Ground, Stretches};
 pub(crate) use known::Known;
 use known::Way;

@@ -54,13 +54,20 @@ impl Settled {
         self.any(lane, offset, arc, |paid| paid < cost - COST_TOLERANCE)
     }
 
-    /// The least cost of a settled label at `offset` after it went on along the arc of `radius`; stretches are not told
-    /// apart, and one that lies ahead by less than [`OFFSET_TOLERANCE`] counts as well.
-    pub(super) fn least(&self, feature: u32, side: Side, radius: f64, offset: f64) -> Option<f64> {
+    /// The least cost of a settled label at `offset` after it went on along the arc, which costs `arc` from an offset
+    /// before; stretches are not told apart, and one that lies ahead by less than [`OFFSET_TOLERANCE`] counts as well.
+    pub(super) fn least(
+        &self,
+        feature: u32,
+        side: Side,
+        offset: f64,
+        arc: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
         let settled = self.0.get(feature as usize)?[side as usize].iter();
-        let turned = settled.map(|paid| (paid.cost, (offset - paid.offset) * side.sign()));
+        let turned = settled.map(|paid| (paid, (offset - paid.offset) * side.sign()));
         let behind = turned.filter(|&(_, turn)| turn >= -OFFSET_TOLERANCE);
-        behind.map(|(cost, turn)| cost + radius * turn.max(0.0)).min_by(f64::total_cmp)
+        let on = |(paid, turn): (&Paid, f64)| paid.cost + if turn > 0.0 { arc(paid.offset) } else { 0.0 };
+        behind.map(on).min_by(f64::total_cmp)
     }
 
     fn any(&self, lane: Lane, offset: f64, arc: impl Fn(f64) -> f64, holds: impl Fn(f64) -> bool) -> bool {

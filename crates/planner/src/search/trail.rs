@@ -6,6 +6,7 @@ use super::label::{Label, Place, Step};
 use super::stance::From;
 use super::tree::Tree;
 use crate::barrier::Side;
+use crate::measure::Measure;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 use traverse_geometry::{Arc, CONTACT_TOLERANCE_MM, Edge, Point, Segment};
@@ -32,7 +33,12 @@ pub(super) struct Trail {
 
 impl Trail {
     /// How the label is reached; `trails` are those of the stances.
-    pub(super) fn of(label: &Label, tree: &Tree<'_>, ground: &impl Ground, trails: &[Self]) -> Self {
+    pub(super) fn of(
+        label: &Label,
+        tree: &Tree<'_, impl Measure>,
+        ground: &impl Ground,
+        trails: &[Self],
+    ) -> Self {
         let mut bends = 0;
         let mut key = u32::MAX;
         let (mut last, mut turned) = (None, 0.0);
@@ -100,7 +106,12 @@ impl Trail {
     }
 
     /// Whether the last pieces of the label's path meet earlier ones.
-    pub(super) fn touches_itself(&self, label: &Label, tree: &Tree<'_>, trails: &[Self]) -> bool {
+    pub(super) fn touches_itself(
+        &self,
+        label: &Label,
+        tree: &Tree<'_, impl Measure>,
+        trails: &[Self],
+    ) -> bool {
         if label.step == Step::Begin {
             return false;
         }

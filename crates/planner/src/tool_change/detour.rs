@@ -4,12 +4,14 @@
 //! edge meet in the straight crossing, points on the same side in the mirror point; with circles both have no closed form.
 //! Along an arc of radius R each of the two curves down by at most 1 / R: parts of it are halved until the sum is known to
 //! be convex there, to have no place at which its slope is 0, or to be as low as the bound that the curvature gives.
+//! By axis speeds the sum is known in closed form ([`super::kinked`]).
 //!
 //! Cost: some 60 evaluations on a straight edge; an arc is halved as its turn comes.
 
 use super::way::{Way, way};
-use crate::search::Bend;
-use traverse_geometry::{Edge, Point, Vector};
+use crate::measure::Measure;
+use crate::search::{Bend, outside};
+use traverse_geometry::{Arc, Edge, Point};
 
 /// The sum is known to be lowest at a place when no other can be lower by more than this share of it.
 pub(crate) const PLACE_RATIO: f64 = 1e-9;
@@ -21,7 +23,8 @@ const SHORTEST_PART_MM: f64 = 1e-9;
 const HALVINGS: usize = 64;
 
 /// Both ways that meet in a place on an edge.
-pub(crate) struct Detour<'a> {
+pub(crate) struct Detour<'a, M> {
+    pub(crate) measure: M,
     pub(crate) before: &'a Bend,
     pub(crate) after: &'a Bend,
     pub(crate) edge: &'a Edge,
@@ -30,14 +33,12 @@ pub(crate) struct Detour<'a> {
 /// What is known of a part of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
-    /// The sum is lowest in this place, and costs this.
+    /// The sum is lowest in this place, or no other near it is lower, and costs this.
     Lowest(Point, f64),
     /// As far as it matters: this place, and no other costs less than this.
     Near(Point, f64),
     /// To be halved: nothing costs less than this.
     Open(f64),
-    /// No place inside can be the best.
-    Nothing,
 }
 
 /// The sum at a place: what it costs, and by how much it grows per millimetre.
@@ -46,15 +47,15 @@ struct Sum {
     slope: f64,
 }
 
-impl Detour<'_> {
-    fn ways(&self, fraction: f64) -> Option<[Way; 2]> {
+impl<M: Measure> Detour<'_, M> {
+    pub(super) fn ways(&self, fraction: f64) -> Option<[Way; 2]> {
         let p = self.edge.point_at(fraction);
-        Some([way(self.before, p)?, way(self.after, p)?])
+        Some([way(self.measure, self.before, p)?, way(self.measure, self.after, p)?])
     }
 
     fn sum(&self, fraction: f64) -> Option<Sum> {
         let [before, after] = self.ways(fraction)?;
-        let slope = (before.direction + after.direction).dot(&self.edge.direction_at(fraction));
+        let slope = (before.gradient + after.gradient).dot(&self.edge.direction_at(fraction));
         Some(Sum { cost: before.cost + after.cost, slope })
     }
 
@@ -62,7 +63,7 @@ impl Detour<'_> {
     pub(crate) fn bound(&self) -> f64 {
         let (a, b) = (self.before, self.after);
         let least = match self.edge {
-            Edge::Segment(segment) => {
+            Edge::Segment(segment) if self.measure.kinks().is_none() => {
                 // Mirrored onto the other side, the way is straight.
                 let along = segment.vector();
                 let side = |p: Point| traverse_geometry::cross(along, p - segment.start) / along.norm();
@@ -70,50 +71,61 @@ impl Detour<'_> {
                 let along = (b.center - a.center).dot(&along) / along.norm();
                 along.hypot(one + other)
             }
-            Edge::Arc(_) => (b.center - a.center).norm(),
+            _ => (b.center - a.center).norm(),
         };
-        let nearest = self.edge.distance_to_point(a.center) + self.edge.distance_to_point(b.center);
-        a.cost + b.cost + (least.max(nearest) - a.radius - b.radius).max(0.0)
+        let radii = a.radius + b.radius;
+        let by_length = self.measure.fastest((least - radii).max(0.0));
+        let straight = self.measure.near(b.center - a.center, radii);
+        let nearest = to_edge(self.measure, a, self.edge) + to_edge(self.measure, b, self.edge);
+        a.cost + b.cost + by_length.max(straight).max(nearest)
     }
 
-    /// What is known of the part between two fractions, on which both ways exist.
-    pub(crate) fn part(&self, from: f64, to: f64) -> Part {
+    /// What is known of the part between two fractions, on which both ways exist; nothing where no place inside can be the
+    /// best.
+    pub(crate) fn part(&self, from: f64, to: f64) -> Vec<Part> {
         // Away from where a way begins to exist.
         let inset = (to - from) * 1e-12;
         let (from, to) = (from + inset, to - inset);
+        if self.measure.kinks().is_some() {
+            return self.lowest_between_kinks(from, to);
+        }
+        self.smooth(from, to).into_iter().collect()
+    }
+
+    fn smooth(&self, from: f64, to: f64) -> Option<Part> {
         match self.edge {
             Edge::Segment(_) => self.lowest(from, to),
             Edge::Arc(arc) => {
                 let middle = f64::midpoint(from, to);
                 let half = (to - from) / 2.0 * arc.length();
-                let Some(sum) = self.sum(middle) else { return Part::Nothing };
-                let curvature = self.curvature(middle, half, 1.0 / arc.radius, arc.center);
+                let sum = self.sum(middle)?;
+                let curvature = self.curvature(middle, half, arc);
                 if curvature.least > 0.0 {
                     return self.lowest(from, to);
                 }
                 if sum.slope.abs() > curvature.most * half {
                     // No slope of 0 inside; what is best at an end is found elsewhere.
-                    return Part::Nothing;
+                    return None;
                 }
                 let bound = sum.cost - sum.slope.abs() * half + curvature.least.min(0.0) * half * half / 2.0;
                 if sum.cost - bound <= PLACE_RATIO * sum.cost || half < SHORTEST_PART_MM {
-                    Part::Near(self.edge.point_at(middle), bound)
+                    Some(Part::Near(self.edge.point_at(middle), bound))
                 } else {
-                    Part::Open(bound)
+                    Some(Part::Open(bound))
                 }
             }
         }
     }
 
     /// The lowest place of a part on which the sum is convex.
-    fn lowest(&self, from: f64, to: f64) -> Part {
+    fn lowest(&self, from: f64, to: f64) -> Option<Part> {
         let (mut low, mut high) = (from, to);
         for _ in 0..HALVINGS {
             let middle = f64::midpoint(low, high);
             if middle <= low || middle >= high {
                 break;
             }
-            let Some(sum) = self.sum(middle) else { return Part::Nothing };
+            let sum = self.sum(middle)?;
             if sum.slope < 0.0 {
                 low = middle;
             } else {
@@ -122,17 +134,33 @@ impl Detour<'_> {
         }
         let cost = |fraction: f64| self.sum(fraction).map(|sum| (fraction, sum.cost));
         let ends = [low, high].into_iter().filter_map(cost).min_by(|a, b| a.1.total_cmp(&b.1));
-        ends.map_or(Part::Nothing, |(at, cost)| Part::Lowest(self.edge.point_at(at), cost))
+        ends.map(|(at, cost)| Part::Lowest(self.edge.point_at(at), cost))
     }
 
-    /// Bounds of the sum's second derivative within `half` millimetres of a place on an arc.
-    fn curvature(&self, middle: f64, half: f64, bent: f64, center: Point) -> Curvature {
-        let p = self.edge.point_at(middle);
-        let along = self.edge.direction_at(middle);
-        let outward = (p - center) * bent;
-        let each = |bend: &Bend| curvature_of(bend, p, along, outward, half, bent);
+    /// Bounds of the sum's second derivative within `half` millimetres of a place on an arc, by length.
+    fn curvature(&self, middle: f64, half: f64, arc: &Arc) -> Curvature {
+        let each = |bend: &Bend| self.curvature_of(bend, middle, half, arc);
         let (one, other) = (each(self.before), each(self.after));
         Curvature { least: one.least + other.least, most: one.most + other.most }
+    }
+
+    /// Those of one way's length: sin² over the length of the last tangent, less what the arc turns away.
+    fn curvature_of(&self, bend: &Bend, middle: f64, half: f64, arc: &Arc) -> Curvature {
+        let bent = 1.0 / arc.radius;
+        let (p, along) = (self.edge.point_at(middle), self.edge.direction_at(middle));
+        let outward = (p - arc.center) * bent;
+        let unknown = Curvature { least: -bent, most: f64::INFINITY };
+        let distance = (p - bend.center).norm();
+        let root = |distance: f64| ((distance - bend.radius) * (distance + bend.radius)).max(0.0).sqrt();
+        let (shortest, longest) = (root((distance - half).max(bend.radius)), root(distance + half));
+        let Some(way) = way(self.measure, bend, p) else { return unknown };
+        if shortest <= half {
+            return unknown;
+        }
+        let turned = half / shortest + half * bent;
+        let sine = (traverse_geometry::cross(along, way.direction).abs() - turned).max(0.0);
+        let away = way.direction.dot(&outward) + turned;
+        Curvature { least: (sine * sine / longest - away * bent).max(-bent), most: 1.0 / shortest + bent }
     }
 }
 
@@ -142,29 +170,19 @@ struct Curvature {
     most: f64,
 }
 
-/// Bounds of the second derivative of one way's length along a circle of curvature `bent`: sin² over the length of the
-/// last tangent, less what the circle turns away.
-fn curvature_of(bend: &Bend, p: Point, along: Vector, outward: Vector, half: f64, bent: f64) -> Curvature {
-    let unknown = Curvature { least: -bent, most: f64::INFINITY };
-    let distance = (p - bend.center).norm();
-    let root = |distance: f64| ((distance - bend.radius) * (distance + bend.radius)).max(0.0).sqrt();
-    let (shortest, longest) = (root((distance - half).max(bend.radius)), root(distance + half));
-    let Some(way) = way(bend, p) else { return unknown };
-    if shortest <= half {
-        return unknown;
-    }
-    let turned = half / shortest + half * bent;
-    let sine = (traverse_geometry::cross(along, way.direction).abs() - turned).max(0.0);
-    let away = way.direction.dot(&outward) + turned;
-    Curvature { least: (sine * sine / longest - away * bent).max(-bent), most: 1.0 / shortest + bent }
+/// The way by `bend` to an edge costs at least this, beside what the way to the bend costs.
+pub(super) fn to_edge(measure: impl Measure, bend: &Bend, edge: &Edge) -> f64 {
+    let by_length = measure.fastest((edge.distance_to_point(bend.center) - bend.radius).max(0.0));
+    by_length.max(measure.near(outside(&edge.bounds(), bend.center), bend.radius))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::{AxisTime, Length};
     use crate::search::Turn;
     use rand::RngExt;
-    use traverse_geometry::{Arc, Segment};
+    use traverse_geometry::{AxisSpeeds, Segment};
     use traverse_solve::Seed;
 
     fn point_bend(x: f64, y: f64) -> Bend {
@@ -172,41 +190,46 @@ mod tests {
     }
 
     /// The best place of an edge, and the bound that is known of it.
-    fn best(detour: &Detour<'_>) -> (f64, f64) {
+    fn best(detour: &Detour<'_, impl Measure>) -> (f64, f64) {
         let mut open = vec![(0.0, 1.0)];
         let (mut cost, mut bound) = (f64::INFINITY, f64::INFINITY);
         while let Some((from, to)) = open.pop() {
-            match detour.part(from, to) {
-                Part::Lowest(p, least) | Part::Near(p, least) => {
-                    let found = way(detour.before, p).unwrap().cost + way(detour.after, p).unwrap().cost;
-                    (cost, bound) = (cost.min(found), bound.min(least));
+            for part in detour.part(from, to) {
+                match part {
+                    Part::Lowest(p, least) | Part::Near(p, least) => {
+                        let cost_by = |bend| way(detour.measure, bend, p).unwrap().cost;
+                        let found = cost_by(detour.before) + cost_by(detour.after);
+                        (cost, bound) = (cost.min(found), bound.min(least));
+                    }
+                    Part::Open(least) if least < cost * (1.0 - PLACE_RATIO) => {
+                        let middle = f64::midpoint(from, to);
+                        open.extend([(from, middle), (middle, to)]);
+                    }
+                    Part::Open(least) => bound = bound.min(least),
                 }
-                Part::Open(least) if least < cost * (1.0 - PLACE_RATIO) => {
-                    let middle = f64::midpoint(from, to);
-                    open.extend([(from, middle), (middle, to)]);
-                }
-                Part::Open(least) => bound = bound.min(least),
-                Part::Nothing => {}
             }
         }
         (cost, bound)
+    }
+
+    fn lowest_by_length(before: &Bend, after: &Bend, edge: &Edge) -> (Point, f64) {
+        match (Detour { measure: Length, before, after, edge }).part(0.0, 1.0)[..] {
+            [Part::Lowest(place, cost)] => (place, cost),
+            ref other => panic!("{other:?}"),
+        }
     }
 
     #[test]
     fn points_meet_in_the_mirror_point_or_cross_straight() {
         let edge = Edge::Segment(Segment::new(Point::new(-50.0, 0.0), Point::new(50.0, 0.0)));
         let (a, b) = (point_bend(0.0, 3.0), point_bend(8.0, 3.0));
-        let Part::Lowest(place, cost) = (Detour { before: &a, after: &b, edge: &edge }).part(0.0, 1.0) else {
-            panic!()
-        };
+        let (place, cost) = lowest_by_length(&a, &b, &edge);
         assert!(
             (place - Point::new(4.0, 0.0)).norm() < 1e-7 && (cost - 10.0).abs() < 1e-12,
             "{place} {cost}"
         );
         let c = point_bend(8.0, -3.0);
-        let Part::Lowest(_, cost) = (Detour { before: &a, after: &c, edge: &edge }).part(0.0, 1.0) else {
-            panic!()
-        };
+        let (_, cost) = lowest_by_length(&a, &c, &edge);
         assert!((cost - 10.0).abs() < 1e-12);
     }
 
@@ -217,6 +240,14 @@ mod tests {
     /// Random bends and edges: nothing sampled is below the bound, and the bound is reached.
     #[test]
     fn nothing_sampled_is_below_the_bound() {
+        compare_with_samples(|_| Length);
+        compare_with_samples(|seed| {
+            let y_mm_per_s = [1.0, 0.2, 3.0, 40.0][seed as usize % 4];
+            AxisTime::new(&AxisSpeeds { x_mm_per_s: 1.0, y_mm_per_s, z_mm_per_s: 0.0 })
+        });
+    }
+
+    fn compare_with_samples<M: Measure>(measure: impl Fn(u64) -> M) {
         let mut found = 0;
         for seed in 0..400 {
             let mut random = Seed(seed).stream();
@@ -237,7 +268,7 @@ mod tests {
                 let (start, sweep) = (random.random_range(-3.0..3.0), random.random_range(0.2..6.2));
                 Edge::Arc(Arc::from_angles(at(&mut random), random.random_range(0.5..12.0), start, sweep))
             };
-            let detour = Detour { before: &before, after: &after, edge: &edge };
+            let detour = Detour { measure: measure(seed), before: &before, after: &after, edge: &edge };
             let mut parts = [Vec::new(), Vec::new()];
             super::super::way::reached_parts(&before, &edge, &mut parts[0]);
             super::super::way::reached_parts(&after, &edge, &mut parts[1]);
@@ -266,7 +297,7 @@ mod tests {
     fn a_circle_round_both_ends_costs_the_same_all_round() {
         let edge = Edge::Arc(Arc::from_angles(Point::new(1.0, 2.0), 5.0, 0.0, std::f64::consts::TAU));
         let (a, b) = (point_bend(1.0, 2.0), point_bend(1.0, 2.0));
-        let (cost, bound) = best(&Detour { before: &a, after: &b, edge: &edge });
+        let (cost, bound) = best(&Detour { measure: Length, before: &a, after: &b, edge: &edge });
         assert!((cost - 10.0).abs() < 1e-9 && bound >= 10.0 * (1.0 - 2.0 * PLACE_RATIO), "{cost} {bound}");
     }
 }

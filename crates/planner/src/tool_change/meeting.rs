@@ -12,16 +12,17 @@
 //!
 //! Cost: two searches, and the pairs whose bounds are below the cost of a place that is known beforehand.
 
-use super::detour::{Detour, Part};
+use super::detour::{Detour, Part, to_edge};
 use super::permitted::Permitted;
 use super::way::{reached_parts, way};
 use crate::Stats;
 use crate::barriers::Barriers;
+use crate::measure::Measure;
 use crate::search::{Aim, Bend, End, Fan, Known};
 use crate::standing::stand;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
-use traverse_geometry::{Bounds, Edge, Point};
+use traverse_geometry::{Bounds, CONTACT_TOLERANCE_MM, Edge, Point};
 use traverse_solve::{Budget, Interrupt};
 
 /// Most things that are open at once: about 100 MB.
@@ -30,6 +31,9 @@ const OPEN_LIMIT: usize = 1_000_000;
 /// More boxes than this are one: how far a place is from all of them must stay quick to tell.
 const BOX_LIMIT: usize = 16;
 
+/// Where several places are wanted, those that cost more than a known one by more than this share are not looked for.
+const WORTH_A_LOOK: f64 = 1.1;
+
 /// The budget is looked at once for so many parts and spots.
 const PARTS_BETWEEN_CHECKS: usize = 256;
 
@@ -37,7 +41,7 @@ const PARTS_BETWEEN_CHECKS: usize = 256;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Met {
     pub(crate) place: Point,
-    /// Of both ways, millimetres, as far as they lie in the plane.
+    /// Of both ways, by the measure, as far as they lie in the plane.
     pub(crate) cost: f64,
     /// No place costs less.
     pub(crate) lower_bound: f64,
@@ -53,8 +57,8 @@ struct Entry {
 }
 
 /// One end's fan.
-struct Side<'a> {
-    fan: Fan<'a>,
+struct Side<'a, M> {
+    fan: Fan<'a, M>,
     end: &'a End,
     left_out: &'a BTreeSet<usize>,
     /// Bends in the order in which they were found.
@@ -79,7 +83,8 @@ enum Open {
 }
 
 /// What is to be met, between which ends.
-pub(crate) struct Meeting<'a> {
+pub(crate) struct Meeting<'a, M> {
+    pub(crate) measure: M,
     pub(crate) barriers: &'a Barriers<'a>,
     pub(crate) permitted: &'a Permitted,
     /// Start and target.
@@ -90,26 +95,29 @@ pub(crate) struct Meeting<'a> {
     pub(crate) known: Option<(Point, f64)>,
 }
 
-impl Meeting<'_> {
-    /// The best place; none when no permitted place is reached from both ends. `lower_bound` rises as more is known.
+impl<M: Measure> Meeting<'_, M> {
+    /// The best places, best first, at most `count`; none when no permitted place is reached from both ends. `lower_bound`
+    /// rises as more is known; nothing costs less than that of the first place.
     ///
     /// # Errors
-    /// The budget ended.
+    /// The budget ended before the first was known.
     pub(crate) fn best(
         &self,
+        count: usize,
         stats: &mut Stats,
         budget: &Budget,
         lower_bound: &mut f64,
-    ) -> Result<Option<Met>, Interrupt> {
+    ) -> Result<Vec<Met>, Interrupt> {
         let beyond =
             self.ends.map(|end| End { point: end.point, places: Vec::new(), shut_in_by: Vec::new() });
         let boxes = boxes(self.permitted);
         let [start, target] = [0, 1].map(|side| Side {
             fan: Fan::new(
+                self.measure,
                 Known::new(self.barriers, self.left_out[side]),
                 self.ends[side],
                 &beyond[1 - side],
-                Aim::new(boxes.iter().copied(), beyond[1 - side].point),
+                Aim::new(self.measure, boxes.iter().copied(), beyond[1 - side].point),
             ),
             end: self.ends[side],
             left_out: self.left_out[side],
@@ -117,26 +125,39 @@ impl Meeting<'_> {
             entries: self.permitted.parts.iter().map(|_| Vec::new()).collect(),
         });
         let mut search = Search {
+            measure: self.measure,
             barriers: self.barriers,
             permitted: self.permitted,
             sides: [start, target],
             reached: vec![None; self.permitted.spots.len()],
-            most: self.known.map_or(f64::INFINITY, |known| known.1),
+            most: self.known.map_or(f64::INFINITY, |known| known.1)
+                * if count > 1 { WORTH_A_LOOK } else { 1.0 },
             open: BinaryHeap::new(),
             waiting: Vec::new(),
         };
-        let found = search.run(budget, &mut stats.expanded_nodes, lower_bound);
+        let mut places = Vec::new();
+        let found = search.places(count, budget, &mut stats.expanded_nodes, lower_bound, &mut places);
         let features: usize = search.sides.iter().map(|side| side.fan.feature_count()).sum();
         stats.barrier_vertices = stats.barrier_vertices.max(features as u64);
-        let found = found?;
-        let known = self.known.map(|(place, cost)| Met { place, cost, lower_bound: cost });
-        Ok(match (found, known) {
-            (Some(found), Some(known)) if known.cost <= found.cost => {
-                Some(Met { lower_bound: found.lower_bound.min(known.cost), ..known })
-            }
-            (found, known) => found.or(known),
-        })
+        match found {
+            Err(interrupt) if places.is_empty() => return Err(interrupt),
+            _ => {}
+        }
+        if let Some((place, cost)) = self.known
+            && places.iter().all(|found| !is_same_place(found.place, place))
+        {
+            places.push(Met { place, cost, lower_bound: cost });
+        }
+        let least = places.iter().map(|found| found.lower_bound).fold(f64::INFINITY, f64::min);
+        places.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        places.truncate(count);
+        places.iter_mut().for_each(|found| found.lower_bound = least);
+        Ok(places)
     }
+}
+
+fn is_same_place(one: Point, other: Point) -> bool {
+    (one - other).norm() <= CONTACT_TOLERANCE_MM
 }
 
 /// Boxes that hold all that is permitted.
@@ -146,10 +167,11 @@ fn boxes(permitted: &Permitted) -> Vec<Bounds> {
     if all.len() <= BOX_LIMIT { all } else { vec![all.into_iter().fold(Bounds::EMPTY, Bounds::union)] }
 }
 
-struct Search<'a> {
+struct Search<'a, M> {
+    measure: M,
     barriers: &'a Barriers<'a>,
     permitted: &'a Permitted,
-    sides: [Side<'a>; 2],
+    sides: [Side<'a, M>; 2],
     /// For every spot what the way there costs, once that is known.
     reached: Vec<Option<f64>>,
     /// What costs more is of no use.
@@ -158,9 +180,33 @@ struct Search<'a> {
     waiting: Vec<Open>,
 }
 
-impl Search<'_> {
-    /// The best place that is found before anything costs more than what is known.
-    fn run(
+impl<M: Measure> Search<'_, M> {
+    /// Adds the best places, each once, until there are `count` or anything costs more than what is known.
+    fn places(
+        &mut self,
+        count: usize,
+        budget: &Budget,
+        steps: &mut u64,
+        lower_bound: &mut f64,
+        places: &mut Vec<Met>,
+    ) -> Result<(), Interrupt> {
+        // What costs more than the first place tells nothing of the best one.
+        let mut bound = *lower_bound;
+        while places.len() < count {
+            let found = self.next(budget, steps, &mut bound);
+            if places.is_empty() {
+                *lower_bound = bound;
+            }
+            let Some(met) = found? else { return Ok(()) };
+            if places.iter().all(|known| !is_same_place(known.place, met.place)) {
+                places.push(met);
+            }
+        }
+        Ok(())
+    }
+
+    /// The best place that was not found before, before anything costs more than what is known.
+    fn next(
         &mut self,
         budget: &Budget,
         steps: &mut u64,
@@ -276,14 +322,15 @@ impl Search<'_> {
     /// Takes in a bend of an end.
     fn add_bend(&mut self, side: usize, stance: u32, budget: &Budget) -> Result<(), Interrupt> {
         let bend = self.sides[side].fan.bend(stance);
-        let beyond = self.sides[1 - side].end.point;
+        let end = self.sides[1 - side].end.point;
+        let beyond = Bend { center: end, radius: 0.0, cost: 0.0, turn: None };
         for part in 0..self.permitted.parts.len() {
             if part.is_multiple_of(PARTS_BETWEEN_CHECKS) {
                 budget.check(0)?;
             }
             let edge = &self.permitted.parts[part];
-            let least = bend.cost + (edge.distance_to_point(bend.center) - bend.radius).max(0.0);
-            if least + edge.distance_to_point(beyond) >= self.most {
+            let least = bend.cost + to_edge(self.measure, &bend, edge);
+            if least + to_edge(self.measure, &beyond, edge) >= self.most {
                 continue;
             }
             let mut reached = Vec::new();
@@ -297,7 +344,8 @@ impl Search<'_> {
                 if least + partner.least >= self.most {
                     continue;
                 }
-                let bound = Detour { before: &bend, after: &partner.bend, edge }.bound();
+                let bound =
+                    Detour { measure: self.measure, before: &bend, after: &partner.bend, edge }.bound();
                 let entries = if side == 0 { [own, other] } else { [other, own] };
                 self.push(Open::Pair { part: part as u32, entries }, bound)?;
             }
@@ -313,8 +361,9 @@ impl Search<'_> {
                 self.leave_spot(index, spot as u32)?;
             } else if self.reached[spot].is_none() {
                 let at = self.permitted.spots[spot];
-                if let Some(way) = way(&bend, at) {
-                    self.push(Open::Approach { stance, spot: spot as u32 }, way.cost + (beyond - at).norm())?;
+                if let Some(way) = way(self.measure, &bend, at) {
+                    let bound = way.cost + self.measure.along(end - at);
+                    self.push(Open::Approach { stance, spot: spot as u32 }, bound)?;
                 }
             }
         }
@@ -325,7 +374,7 @@ impl Search<'_> {
     fn leave_spot(&mut self, bend: usize, spot: u32) -> Result<(), Interrupt> {
         let Some(before) = self.reached[spot as usize] else { return Ok(()) };
         let (stance, bend) = self.sides[1].bends[bend];
-        let Some(way) = way(&bend, self.permitted.spots[spot as usize]) else { return Ok(()) };
+        let Some(way) = way(self.measure, &bend, self.permitted.spots[spot as usize]) else { return Ok(()) };
         self.push(Open::Departure { stance, spot }, before + way.cost)
     }
 
@@ -334,13 +383,16 @@ impl Search<'_> {
         let [one, other] = [0, 1].map(|side| self.entry(side, part, entries));
         let edge = &self.permitted.parts[part as usize];
         let stances = [one.stance, other.stance];
-        let (open, bound) = match (Detour { before: &one.bend, after: &other.bend, edge }).part(from, to) {
-            Part::Lowest(at, cost) => (Open::Place { stances, at }, cost),
-            Part::Near(at, bound) => (Open::Place { stances, at }, bound),
-            Part::Open(bound) => (Open::Stretch { part, entries, from, to }, bound),
-            Part::Nothing => return Ok(()),
-        };
-        self.push(open, bound)
+        let detour = Detour { measure: self.measure, before: &one.bend, after: &other.bend, edge };
+        for known in detour.part(from, to) {
+            let (open, bound) = match known {
+                Part::Lowest(at, cost) => (Open::Place { stances, at }, cost),
+                Part::Near(at, bound) => (Open::Place { stances, at }, bound),
+                Part::Open(bound) => (Open::Stretch { part, entries, from, to }, bound),
+            };
+            self.push(open, bound)?;
+        }
+        Ok(())
     }
 
     fn push(&mut self, open: Open, bound: f64) -> Result<(), Interrupt> {

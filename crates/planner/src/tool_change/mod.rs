@@ -2,9 +2,10 @@
 //!
 //! The data's way: what is permitted and free becomes parts of borders and spots (`permitted`); two fans, search trees from
 //! start and target, meet on them best first (`meeting`), on a part where the ways from two bends are shortest together
-//! (`detour`, `way`); with heights, at the best pair of levels (`levels`). See docs/decisions/0011-tool-change.md.
+//! (`detour`, `kinked`, `way`); with heights, at the best pair of levels (`levels`). See docs/decisions/0011-tool-change.md.
 
 mod detour;
+mod kinked;
 mod levels;
 mod meeting;
 mod parted;

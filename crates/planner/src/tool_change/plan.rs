@@ -3,6 +3,10 @@
 //! Clearances are tried in turn. At each the ends' ways out of the barriers are found, then where the change is permitted,
 //! then the best pair of levels; at each pair that matters two fans meet in the best place of the plane. The moves there and
 //! on are planned as any rapid moves.
+//!
+//! With limits of acceleration no place is proven best: what corners cost is not known before the moves are planned. Several
+//! places, the best by length, are priced exactly; the bound is that of length at top speed, with what beginning and ending
+//! at rest adds to both moves. The same places are looked at where dog-legs have no room at the best one.
 
 use super::levels::best_pair;
 use super::meeting::{Meeting, Met};
@@ -14,17 +18,22 @@ use crate::ends::clear_ends;
 use crate::feasible::most_feasible;
 use crate::level::{Levels, passed_over};
 use crate::lowered::with_clearance;
+use crate::measure::{AxisTime, Length, Measure};
+use crate::price::{at_rest, bound_of, of_search, straight, vertical};
 use crate::rapid_move::{Asked, plan_among};
-use crate::search::End;
-use crate::shortest_route::{MeetingBarriers, ShortestRoute};
+use crate::search::{End, Known, Search};
+use crate::shortest_route::MeetingBarriers;
 use crate::standing::stand;
 use crate::{Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
-use traverse_geometry::{Point, Scene};
+use traverse_geometry::{Point, Scene, TravelCost};
 use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
 /// Sums of the same lengths differ by less than this share of them: rounding.
 const ROUNDING_RATIO: f64 = 1e-12;
+
+/// So many places are looked at where corners or dog-legs may cost more than is known of a place.
+const PLACES: usize = 8;
 
 /// So many spots are tried for a first place, nearest first.
 const FIRST_SPOTS: usize = 3;
@@ -76,8 +85,8 @@ fn plan_in(
     // A smaller clearance may have a cheaper place.
     let bound = if is_last { placing.lower_bound.max(least) } else { least };
     match found.map_err(interrupted(bound))? {
-        Some(met) => {
-            let plan = placing.plan(met, stats, observer)?;
+        Some(found) => {
+            let plan = placing.plan(&found, stats, observer)?;
             Ok(ToolChangeAnswer::Plan(Box::new(plan)))
         }
         None if !is_last => Ok(ToolChangeAnswer::NoPath(NoPath {
@@ -104,14 +113,15 @@ fn has_place(
     let barriers = Barriers::new(scene, budget)?;
     let Ok(mut placing) = Placing::new(&barriers, question, budget)? else { return Ok(false) };
     let highest = placing.highest();
-    Ok(placing.meet(highest, stats)?.is_some())
+    Ok(!placing.meet(highest, stats)?.is_empty())
 }
 
 /// No tool change costs less, whatever is in the way.
 fn least_cost(question: &ToolChange) -> f64 {
     let rise = question.rules.heights.zip(question.change_z_mm());
-    let vertical = rise.map_or(0.0, |(rule, z)| (z - rule.start_z_mm).abs() + (z - rule.target_z_mm).abs());
-    (question.target - question.start).norm() + vertical
+    let up = rise.map_or(0.0, |(rule, z)| (z - rule.start_z_mm).abs() + (z - rule.target_z_mm).abs());
+    let (by, cost) = (question.target - question.start, &question.rules.cost);
+    straight(by, cost) + vertical(up, cost) + at_rest(by.norm(), up, cost)
 }
 
 /// A tool change in a scene, ready to be placed.
@@ -129,12 +139,14 @@ struct Placing<'a> {
     lower_bound: f64,
 }
 
-/// A place, and the levels at which the moves there and on travel.
-#[derive(Clone, Copy, Debug)]
+/// The best places in the plane, best first, at the best levels of the moves there and on.
+#[derive(Clone, Debug)]
 struct Found {
-    met: Met,
+    places: Vec<Met>,
     /// What both cost beside their ways in the plane.
     aside: f64,
+    /// What beginning and ending at rest adds at any place.
+    rest: f64,
 }
 
 impl<'a> Placing<'a> {
@@ -177,57 +189,107 @@ impl<'a> Placing<'a> {
             return Ok(None);
         }
         let [start, target] = self.clear;
-        let leads = (start - self.question.start).norm() + (target - self.question.target).norm();
-        let vertical = self
-            .levels
-            .each_ref()
-            .map(|levels| (0..levels.count()).map(|level| levels.vertical(level)).collect::<Vec<f64>>());
-        let straight = (target - start).norm();
+        let cost = self.question.rules.cost;
+        let lead_mm = [(start - self.question.start).norm(), (target - self.question.target).norm()];
+        let leads =
+            straight(start - self.question.start, &cost) + straight(target - self.question.target, &cost);
+        let vertical = self.levels.each_ref().map(|levels| {
+            (0..levels.count()).map(|level| vertical(levels.vertical(level), &cost)).collect::<Vec<f64>>()
+        });
+        let straight_mm = (target - start).norm();
+        let rest = self.least_rest(straight_mm, lead_mm);
         let mut bound = self.lower_bound;
         let tell = |found: f64| {
-            if found + leads > bound {
-                bound = found + leads;
+            if found + leads + rest > bound {
+                bound = found + leads + rest;
                 observer.better_bound(bound);
             }
         };
-        let solve = |pair| Ok(self.meet(pair, stats)?.map(|met| (met.lower_bound, met)));
-        let found = best_pair([&vertical[0], &vertical[1]], straight, solve, tell);
-        self.lower_bound = bound;
-        Ok(found?.map(|(pair, met)| {
+        let solve = |pair| {
+            let places = self.meet(pair, stats)?;
+            Ok(places.first().map(|met| met.lower_bound).map(|least| (of_search(least, &cost), places)))
+        };
+        let found = best_pair([&vertical[0], &vertical[1]], straight(target - start, &cost), solve, tell);
+        self.lower_bound = bound.max(self.lower_bound);
+        Ok(found?.map(|(pair, places)| {
             let aside = leads + vertical[0][pair[0]] + vertical[1][pair[1]];
-            Found { met, aside }
+            let is_only_pair = self.highest() == [0, 0];
+            let plane_mm = places.first().map_or(0.0, |met| met.lower_bound);
+            let rest = if is_only_pair { self.least_rest(plane_mm, lead_mm) } else { rest };
+            Found { places, aside, rest }
         }))
     }
 
-    /// The best place where both moves travel at these levels.
-    fn meet(&mut self, pair: [usize; 2], stats: &mut Stats) -> Result<Option<Met>, Interrupt> {
+    /// What beginning and ending at rest adds to both moves at least, where both are `plane_mm` long in the plane beside
+    /// ways out and in: what a move of some length takes grows less and less with the length, so that both together take
+    /// least where one is as short as it can be.
+    fn least_rest(&self, plane_mm: f64, lead_mm: [f64; 2]) -> f64 {
+        let TravelCost::Kinematics(_) = self.question.rules.cost else { return 0.0 };
+        let nearest = self.clear.map(|end| {
+            let parts = self.permitted.parts.iter().map(|part| part.distance_to_point(end));
+            let spots = self.permitted.spots.iter().map(|spot| (spot - end).norm());
+            parts.chain(spots).fold(f64::INFINITY, f64::min)
+        });
+        let rest = |side: usize, mm: f64| {
+            at_rest(mm + lead_mm[side], self.levels[side].vertical(0), &self.question.rules.cost)
+        };
+        let [near_start, near_target] = nearest;
+        let by_start = rest(0, near_start) + rest(1, near_target.max(plane_mm - near_start));
+        let by_target = rest(0, near_start.max(plane_mm - near_target)) + rest(1, near_target);
+        by_start.min(by_target)
+    }
+
+    /// How many places are looked at: more than the best one where a place's moves may cost more than is known of it.
+    fn place_count(&self) -> usize {
+        let rules = &self.question.rules;
+        let is_known = !matches!(rules.cost, TravelCost::Kinematics(_)) && rules.dog_leg().is_none();
+        if is_known { 1 } else { PLACES }
+    }
+
+    /// The best places where both moves travel at these levels, best first.
+    fn meet(&mut self, pair: [usize; 2], stats: &mut Stats) -> Result<Vec<Met>, Interrupt> {
+        match &self.question.rules.cost {
+            TravelCost::AxisSpeeds(speeds) => self.meet_by(AxisTime::new(speeds), pair, stats),
+            TravelCost::Length | TravelCost::Kinematics(_) => self.meet_by(Length, pair, stats),
+        }
+    }
+
+    fn meet_by(
+        &mut self,
+        measure: impl Measure,
+        pair: [usize; 2],
+        stats: &mut Stats,
+    ) -> Result<Vec<Met>, Interrupt> {
         let left_out = [0, 1].map(|side| self.levels[side].passed_over(self.barriers, pair[side]));
         let start = stand(self.barriers, &left_out[0], self.clear[0], self.budget)?;
         let target = stand(self.barriers, &left_out[1], self.clear[1], self.budget)?;
         if start.places.is_empty() || target.places.is_empty() {
-            return Ok(None);
+            return Ok(Vec::new());
         }
         let ends = [&start, &target];
         let left_out = [&left_out[0], &left_out[1]];
-        let known = self.first_place(ends, left_out, stats)?;
-        let meeting = Meeting { barriers: self.barriers, permitted: &self.permitted, ends, left_out, known };
+        let known = self.first_place(measure, ends, left_out, stats)?;
+        let Self { barriers, permitted, .. } = &*self;
+        let meeting = Meeting { measure, barriers, permitted, ends, left_out, known };
         let mut plane = 0.0;
-        let met = meeting.best(stats, self.budget, &mut plane);
+        let places = meeting.best(self.place_count(), stats, self.budget, &mut plane);
         if self.highest() == [0, 0] {
             let aside: f64 = (0..2).map(|side| self.levels[side].vertical(0)).sum();
-            self.lower_bound = self.lower_bound.max(plane + aside);
+            let cost = &self.question.rules.cost;
+            self.lower_bound = self.lower_bound.max(of_search(plane, cost) + vertical(aside, cost));
         }
-        met
+        places
     }
 
     /// A place that both ends reach, if one of the nearest spots is one: what costs more need not be looked at.
     fn first_place(
         &self,
+        measure: impl Measure,
         ends: [&End; 2],
         left_out: [&BTreeSet<usize>; 2],
         stats: &mut Stats,
     ) -> Result<Option<(Point, f64)>, Interrupt> {
-        let around = |p: &Point| (p - ends[0].point).norm() + (ends[1].point - p).norm();
+        let around = |p: &Point| measure.along(p - ends[0].point) + measure.along(ends[1].point - p);
         let mut spots: Vec<Point> = self.permitted.spots.clone();
         spots.sort_by(|a, b| around(a).total_cmp(&around(b)));
         for at in spots.into_iter().take(FIRST_SPOTS) {
@@ -238,15 +300,9 @@ impl<'a> Placing<'a> {
                 if ends[side].point == at {
                     continue;
                 }
-                let (found, _) = MeetingBarriers.shortest(
-                    self.barriers,
-                    left_out[side],
-                    [ends[side], &spot],
-                    stats,
-                    self.budget,
-                    &mut Silent,
-                );
-                match found? {
+                let known = Known::new(self.barriers, left_out[side]);
+                let mut search = Search::by(measure, known, ends[side], &spot);
+                match search.run(self.budget, &mut stats.expanded_nodes, &mut Silent)? {
                     Some(route) => cost += route.cost,
                     None => is_reached = false,
                 }
@@ -258,29 +314,57 @@ impl<'a> Placing<'a> {
         Ok(None)
     }
 
-    /// Both moves.
+    /// The best of the places, and both moves.
     fn plan(
         &self,
-        found: Found,
+        found: &Found,
         stats: &mut Stats,
         observer: &mut dyn Observer,
     ) -> Result<ToolChangePlan, Vec<Refusal>> {
-        let place = found.met.place;
-        let bound = found.met.lower_bound + found.aside;
+        let mut best: Option<ToolChangePlan> = None;
+        let mut refused = Vec::new();
+        for met in &found.places {
+            let of_place = of_search(met.cost, &self.question.rules.cost) + found.aside + found.rest;
+            if best.as_ref().is_some_and(|best| best.cost <= of_place * (1.0 + ROUNDING_RATIO)) {
+                break;
+            }
+            match self.plan_at(met, found, stats) {
+                Ok(plan) if best.as_ref().is_none_or(|best| plan.cost < best.cost) => best = Some(plan),
+                Ok(_) => {}
+                // At another place there may be room.
+                Err(refusals) if refusals == [Refusal::NoRoomForDogLegs] => refused = refusals,
+                // The best so far stands.
+                Err(_) if best.is_some() => break,
+                Err(refusals) => return Err(refusals),
+            }
+        }
+        let Some(plan) = best else { return Err(refused) };
+        observer.better_bound(plan.lower_bound);
+        observer.better_cost(plan.cost);
+        Ok(plan)
+    }
+
+    /// Both moves to and from one of the places.
+    fn plan_at(&self, met: &Met, found: &Found, stats: &mut Stats) -> Result<ToolChangePlan, Vec<Refusal>> {
+        let rules = &self.question.rules;
+        let place = met.place;
+        let bound = of_search(met.lower_bound, &rules.cost) + found.aside + found.rest;
         let approach = self.planned(&self.question.approach(place), bound, stats)?;
         let departure = self.planned(&self.question.departure(place), bound, stats)?;
         // Chords outside of arcs cost more than these.
         let cost = approach.cost + departure.cost;
-        let by_arcs = approach.lower_bound + departure.lower_bound;
-        debug_assert!(
-            (by_arcs - found.met.cost - found.aside).abs() <= 1e-9 * by_arcs.max(1.0),
-            "{by_arcs} {found:?}"
-        );
-        // Rounding must not set what is proven and its bound apart.
-        let is_proven = found.met.cost - found.met.lower_bound <= ROUNDING_RATIO * found.met.cost;
-        let lower_bound = if is_proven { by_arcs } else { bound.min(by_arcs) };
-        observer.better_bound(lower_bound);
-        observer.better_cost(cost);
+        let lower_bound = if matches!(rules.cost, TravelCost::Kinematics(_)) {
+            bound_of(cost, bound)
+        } else {
+            let by_arcs = approach.lower_bound + departure.lower_bound;
+            debug_assert!(
+                (by_arcs - met.cost - found.aside).abs() <= 1e-9 * by_arcs.max(1.0),
+                "{by_arcs} {found:?}"
+            );
+            // Rounding must not set what is proven and its bound apart.
+            let is_proven = met.cost - met.lower_bound <= ROUNDING_RATIO * met.cost;
+            if is_proven { by_arcs } else { bound.min(by_arcs) }
+        };
         Ok(ToolChangePlan { place, approach, departure, cost, lower_bound })
     }
 

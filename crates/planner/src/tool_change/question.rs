@@ -2,8 +2,7 @@
 
 use crate::{Algorithm, NoPath, RapidMove, RapidPlan};
 use traverse_geometry::{
-    COORDINATE_LIMIT_MM, EndRule, Finding, HeightRule, Point, Polygon, RapidMotion, RapidRules, Reason,
-    TravelCost,
+    COORDINATE_LIMIT_MM, EndRule, Finding, HeightRule, Point, Polygon, RapidRules, Reason,
 };
 
 /// A tool change to place.
@@ -42,16 +41,16 @@ pub struct ToolChangePlan {
     pub approach: RapidPlan,
     /// From the place to the target.
     pub departure: RapidPlan,
-    /// Of both moves, millimetres.
+    /// Of both moves, by the rules' measure.
     pub cost: f64,
-    /// No permitted place costs less. Equal to `cost` when proven to rounding; lower by at most 1e-9 of it where places on
-    /// arcs cost nearly the same.
+    /// No permitted place costs less. Equal to `cost` when proven to rounding; by length lower by at most 1e-9 of it where
+    /// places on arcs cost nearly the same. With limits of acceleration the cost at top speed, with what beginning and
+    /// ending at rest adds to both moves.
     pub lower_bound: f64,
 }
 
 impl ToolChange {
-    /// Everything that is wrong beyond the rules themselves: `regions`, where there is no place at all, `rules.cost` and
-    /// `rules.motion` other than length and linear, `place_z_mm`.
+    /// Everything that is wrong beyond the rules themselves: `regions`, where there is no place at all, `place_z_mm`.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
@@ -59,15 +58,6 @@ impl ToolChange {
             let message =
                 "neither regions nor points are given; send at least one place where the tool may be changed";
             findings.push(Finding::new("regions", Reason::MissingField, "", message));
-        }
-        if self.rules.cost != TravelCost::Length {
-            let message =
-                "places for tool changes are known by length alone; leave it out, or send cost.euclidean";
-            findings.push(Finding::new("rules.cost", Reason::NotApplicable, "", message));
-        }
-        if self.rules.motion != RapidMotion::Linear {
-            let message = "places for tool changes are known for linear motion alone; leave it out";
-            findings.push(Finding::new("rules.motion", Reason::NotApplicable, "DOG_LEG", message));
         }
         let Some(z) = self.place_z_mm else { return findings };
         let field = "place_z_mm";

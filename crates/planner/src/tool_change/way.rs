@@ -1,8 +1,11 @@
-//! The way from a bend to a place: its length as a function of the place.
+//! The way from a bend to a place: what it costs as a function of the place.
 //!
-//! The length grows along the way's last direction, so its gradient is that unit vector; across it, the length curves
-//! with one over the length of the last tangent. So it is convex along every straight line.
+//! Where the place moves, the way leaves its circle later or sooner: what the circle costs more its last tangent costs less. So
+//! the cost grows as that of the last tangent does, from where it begins: by length along the way's last direction, which is
+//! the gradient. Across it, it curves with the measure's own curvature over the length of the last tangent. So it is convex along
+//! every straight line, by every norm.
 
+use crate::measure::Measure;
 use crate::search::{Bend, Tangent};
 use crate::way_out::{crossings, crossings_with_ray};
 use std::f64::consts::{PI, TAU};
@@ -15,10 +18,12 @@ const SLACK_RAD: f64 = 1e-3;
 /// The way to a place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Way {
-    /// What it costs, millimetres.
+    /// What it costs.
     pub(crate) cost: f64,
     /// The direction in which it gets there; zero for a way of no length.
     pub(crate) direction: Vector,
+    /// How the cost grows with the place, per millimetre: by length the direction.
+    pub(crate) gradient: Vector,
 }
 
 /// How far ways may turn back, radians.
@@ -27,26 +32,23 @@ fn slack(most: f64) -> f64 {
 }
 
 /// The way from `bend` to `p`, whether or not it would have to turn back; none from inside the circle.
-pub(crate) fn way(bend: &Bend, p: Point) -> Option<Way> {
-    let by = p - bend.center;
-    let Some(turn) = &bend.turn else {
-        return Some(Way {
-            cost: bend.cost + by.norm(),
-            direction: by.try_normalize(0.0).unwrap_or_default(),
-        });
+pub(crate) fn way(measure: impl Measure, bend: &Bend, p: Point) -> Option<Way> {
+    // The turn on a circle of no radius costs nothing.
+    let Some(turn) = bend.turn.as_ref().filter(|_| bend.radius > 0.0) else {
+        let by = p - bend.center;
+        let direction = by.try_normalize(0.0).unwrap_or_default();
+        let cost = bend.cost + measure.along(by);
+        return Some(Way { cost, direction, gradient: measure.gradient(direction) });
     };
-    if bend.radius == 0.0 {
-        // Its turn costs nothing.
-        return Some(Way {
-            cost: bend.cost + by.norm(),
-            direction: by.try_normalize(0.0).unwrap_or_default(),
-        });
-    }
     let tangent = Tangent::between(bend.center, bend.radius * turn.sign, p, 0.0)?;
     let turned = turned(bend, -tangent.normal * turn.sign)?;
+    // What a turn back would cost is taken off, so that the cost goes on smoothly.
+    let arc = measure.arc(bend.radius, turn.arrival, turned * turn.sign) * turned.signum();
+    let direction = Vector::new(tangent.normal.y, -tangent.normal.x);
     Some(Way {
-        cost: bend.cost + bend.radius * turned + tangent.length,
-        direction: Vector::new(tangent.normal.y, -tangent.normal.x),
+        cost: bend.cost + arc + measure.straight(tangent.normal, tangent.length),
+        direction,
+        gradient: measure.gradient(direction),
     })
 }
 
@@ -110,6 +112,23 @@ pub(crate) fn reached_parts(bend: &Bend, edge: &Edge, parts: &mut Vec<(f64, f64)
     }
 }
 
+/// Adds where ways of `bend` cross `edge`, as fractions, that leave where its turn begins or ends, or in a direction at which
+/// the cost of ways has a kink.
+pub(crate) fn kinks_on(measure: impl Measure, bend: &Bend, edge: &Edge, cuts: &mut Vec<f64>) {
+    let mut ways = Vec::new();
+    let mut add = |spoke: Vector, sign: f64| {
+        let (from, direction) = (bend.center + spoke * bend.radius, left_of(spoke) * sign);
+        ways.clear();
+        crossings_with_ray(edge, from, direction, &mut ways);
+        cuts.extend(ways.iter().map(|way| fraction_of(edge, from + direction * *way)));
+    };
+    let sign = bend.turn.as_ref().map_or(1.0, |turn| turn.sign);
+    measure.kinks().into_iter().flatten().for_each(|outward| add(unit(outward), sign));
+    if let Some(turn) = &bend.turn {
+        [0.0, turn.most].into_iter().for_each(|by| add(unit(turn.arrival + turn.sign * by), sign));
+    }
+}
+
 /// The fraction of an edge, or of the line or circle that it lies on, at which `p` is.
 pub(crate) fn fraction_of(edge: &Edge, p: Point) -> f64 {
     match edge {
@@ -128,8 +147,9 @@ pub(crate) fn fraction_of(edge: &Edge, p: Point) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::{AxisTime, Length};
     use crate::search::Turn;
-    use traverse_geometry::Segment;
+    use traverse_geometry::{AxisSpeeds, Segment};
 
     fn bend(sign: f64, most: f64) -> Bend {
         let turn = Some(Turn { sign, arrival: 0.0, most });
@@ -139,15 +159,26 @@ mod tests {
     #[test]
     fn a_way_turns_and_goes_straight() {
         // Round the left of the circle by a quarter, then up to the left.
-        let found = way(&bend(1.0, PI), Point::new(-7.0, 2.0)).unwrap();
+        let found = way(Length, &bend(1.0, PI), Point::new(-7.0, 2.0)).unwrap();
         assert!((found.cost - (5.0 + PI + 7.0)).abs() < 1e-12, "{found:?}");
         assert!((found.direction - Vector::new(-1.0, 0.0)).norm() < 1e-12);
-        assert!(way(&bend(1.0, PI), Point::new(1.0, 0.0)).is_none());
+        assert!(way(Length, &bend(1.0, PI), Point::new(1.0, 0.0)).is_none());
     }
 
     /// The cost grows as its gradient says, and only where ways lead.
     #[test]
     fn costs_follow_their_gradients_on_what_is_reached() {
+        costs_follow_their_gradients(Length);
+        for (x_mm_per_s, y_mm_per_s) in [(1.0, 1.0), (3.0, 0.7)] {
+            costs_follow_their_gradients(AxisTime::new(&AxisSpeeds {
+                x_mm_per_s,
+                y_mm_per_s,
+                z_mm_per_s: 0.0,
+            }));
+        }
+    }
+
+    fn costs_follow_their_gradients(measure: impl Measure) {
         for sign in [1.0, -1.0] {
             for most in [0.5, 2.0, 4.0, TAU] {
                 let bend = bend(sign, most);
@@ -158,6 +189,8 @@ mod tests {
                 ] {
                     let mut parts = Vec::new();
                     reached_parts(&bend, &edge, &mut parts);
+                    let mut kinks = Vec::new();
+                    kinks_on(measure, &bend, &edge, &mut kinks);
                     for step in 1..200 {
                         let at = f64::from(step) / 200.0;
                         let is_in = parts.iter().any(|part| part.0 <= at && at <= part.1);
@@ -165,11 +198,14 @@ mod tests {
                         if !parts.iter().any(|part| part.0 + 1e-5 <= at && at <= part.1 - 1e-5) {
                             continue;
                         }
+                        if kinks.iter().any(|kink| (kink - at).abs() < 1e-5) {
+                            continue;
+                        }
                         let h = 1e-6;
-                        let cost = |at: f64| way(&bend, edge.point_at(at)).unwrap().cost;
+                        let cost = |at: f64| way(measure, &bend, edge.point_at(at)).unwrap().cost;
                         let slope = (cost(at + h) - cost(at - h)) / (2.0 * h * edge.length());
-                        let said =
-                            way(&bend, edge.point_at(at)).unwrap().direction.dot(&edge.direction_at(at));
+                        let gradient = way(measure, &bend, edge.point_at(at)).unwrap().gradient;
+                        let said = gradient.dot(&edge.direction_at(at));
                         assert!((slope - said).abs() < 1e-4, "{sign} {most} {at}: {slope} {said}");
                     }
                 }

@@ -2,6 +2,8 @@
 #![allow(dead_code, missing_docs, unreachable_pub, reason = "every test file uses a part of it")]
 
 pub mod oracle;
+pub mod taut;
+pub mod tool_change;
 
 use rand::RngExt;
 use traverse_geometry::{CornerStyle, Obstacle, Path, Point, Polygon, RapidRules, Ring, Scene};

@@ -44,7 +44,7 @@ impl Norm {
 
     /// An arc from an angle on, counter-clockwise. Cut where the slower axis changes or one turns back, its parts cost what
     /// their chords cost.
-    fn arc(self, radius: f64, from: f64, turn: f64) -> f64 {
+    pub fn arc(self, radius: f64, from: f64, turn: f64) -> f64 {
         let Self::Axes(x, y) = self else { return radius * turn };
         let kink = (x / y).atan();
         let of_turn = (-1..=3).flat_map(|half| {

@@ -56,6 +56,7 @@ pub(super) fn rapid_plan(plan: &RapidPlan) -> v1::RapidPlan {
         clearance_mm: plan.clearance_mm,
         bending_obstacle_ids: plan.bending_obstacles.clone(),
         alternatives: plan.alternatives.iter().map(path).collect(),
+        alternative_costs: plan.alternative_costs.clone(),
     }
 }
 

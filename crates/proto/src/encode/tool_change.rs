@@ -1,7 +1,7 @@
 //! PlaceToolChange: its request, for clients that plan from domain types, and its answer.
 
 use super::path::point;
-use super::plan::{no_path, rapid_plan, rapid_stats};
+use super::plan::{cost_unit, no_path, rapid_plan, rapid_stats};
 use super::request;
 use crate::v1::{self, place_tool_change_response::Outcome};
 use std::time::Duration;
@@ -44,7 +44,7 @@ fn tool_change_plan(plan: &ToolChangePlan) -> v1::ToolChangePlan {
         approach: Some(rapid_plan(&plan.approach)),
         departure: Some(rapid_plan(&plan.departure)),
         cost: plan.cost,
-        cost_unit: v1::CostUnit::Mm.into(),
+        cost_unit: cost_unit(plan.approach.cost_unit).into(),
         lower_bound: plan.lower_bound,
     }
 }
