@@ -150,7 +150,7 @@ impl<'a> AlongLinks<'a> {
                 self.room.open.peek().map_or(f64::INFINITY, |(Reverse(bits), _)| f64::from_bits(*bits));
             if self.offered < lowest {
                 budget.check(*steps)?;
-                self.offer(lowest);
+                self.offer(lowest, budget)?;
                 continue;
             }
             let Some((_, index)) = self.room.open.pop() else { return Ok(None) };
@@ -194,11 +194,14 @@ impl<'a> AlongLinks<'a> {
     }
 
     /// Offers features to the start until all that a path of cost `cost` may touch were.
-    fn offer(&mut self, cost: f64) {
+    ///
+    /// # Errors
+    /// The budget ended.
+    fn offer(&mut self, cost: f64, budget: &Budget) -> Result<(), Interrupt> {
         let mut found = std::mem::take(&mut self.room.found);
         found.clear();
         self.offered = match &mut self.cones {
-            Some(cones) => cones.grow(&mut self.room.cones, cost, &mut found),
+            Some(cones) => cones.grow(&mut self.room.cones, cost, &mut found, budget)?,
             None => self.growth.grow(&self.terrain.layer, cost, &mut found),
         };
         if self.cones.is_none()
@@ -234,6 +237,7 @@ impl<'a> AlongLinks<'a> {
             self.guess(feature, self.growth.least_cost(spot.center, spot.plan_radius));
         }
         self.room.found = found;
+        Ok(())
     }
 
     /// Offers the start the tangents to a feature, of which no more is known than what a path by it costs at least.

@@ -9,10 +9,15 @@
 
 use super::mesh::{Mesh, Way, next};
 use super::terrain::Terrain;
+use crate::search::LABEL_LIMIT;
 use traverse_geometry::{Point, Vector, cross, left_of};
+use traverse_solve::{Budget, Interrupt};
 
 /// By how much the excess over the straight way grows at once, at least.
 const GROWTH: f64 = 1.25;
+
+/// The budget is looked at once for so many cones.
+const CONES_BETWEEN_CHECKS: usize = 4096;
 
 /// A corner so near to the border of a cone is within it, millimetres: far above rounding, far below a contact tolerance.
 const RAY_TOLERANCE_MM: f64 = 1e-8;
@@ -86,9 +91,18 @@ impl<'a> Cones<'a> {
 
     /// Adds to `found` the features that come into view, until all were found by which a path of cost `cost` may leave the
     /// start; answers the cost up to which that holds now: infinity when there are no more.
-    pub(super) fn grow(&mut self, room: &mut ConeRoom, cost: f64, found: &mut Vec<u32>) -> f64 {
+    ///
+    /// # Errors
+    /// The budget ended, or there are too many cones.
+    pub(super) fn grow(
+        &mut self,
+        room: &mut ConeRoom,
+        cost: f64,
+        found: &mut Vec<u32>,
+        budget: &Budget,
+    ) -> Result<f64, Interrupt> {
         if self.cost == f64::INFINITY {
-            return self.cost;
+            return Ok(self.cost);
         }
         if std::mem::take(&mut self.is_first) {
             found.extend_from_slice(&self.mesh.added);
@@ -100,13 +114,21 @@ impl<'a> Cones<'a> {
         let limit = self.cost + self.slack;
         let due = room.waiting.extract_if(.., |cone| cone.bound <= limit);
         room.open.extend(due);
+        let mut looked_into = 0_usize;
         while let Some(cone) = room.open.pop() {
+            looked_into += 1;
+            if looked_into.is_multiple_of(CONES_BETWEEN_CHECKS) {
+                budget.check(0)?;
+            }
             self.look_into(room, &cone, limit, found);
+            if room.waiting.len() > LABEL_LIMIT {
+                return Err(Interrupt::Memory);
+            }
         }
         if room.waiting.is_empty() {
             self.cost = f64::INFINITY;
         }
-        self.cost
+        Ok(self.cost)
     }
 
     fn look_into(&self, room: &mut ConeRoom, cone: &Cone, limit: f64, found: &mut Vec<u32>) {
@@ -177,7 +199,7 @@ mod tests {
     use crate::search::{Ground, Tangent};
     use rand::RngExt;
     use traverse_geometry::{CornerStyle, Location, Obstacle, Polygon, Ring, Scene, unit};
-    use traverse_solve::{Budget, Seed};
+    use traverse_solve::Seed;
 
     /// Stars that may cross each other, some of them in rows that share borders.
     fn scene(random: &mut impl RngExt, clearance_mm: f64) -> Scene {
@@ -231,7 +253,7 @@ mod tests {
                 };
                 let (mut found, mut offered) = (Vec::new(), 0.0);
                 while offered < f64::INFINITY {
-                    offered = cones.grow(&mut room, offered, &mut found);
+                    offered = cones.grow(&mut room, offered, &mut found, &Budget::unlimited()).unwrap();
                     for feature in 0..terrain.features.len() as u32 {
                         let circle = terrain.feature(feature);
                         let least = (circle.center - start).norm() + (target - circle.center).norm()
