@@ -117,6 +117,38 @@ fn a_refused_edit_leaves_nothing_behind() {
 }
 
 #[test]
+fn a_scene_that_grows_from_nothing_answers_as_a_fresh_one() {
+    for (seed, at_once) in (0..6).zip([true, false].into_iter().cycle()) {
+        let mut random = Seed(seed).stream();
+        let mut ids = 0..;
+        let many = stars(&mut random, 700, 900.0, 10.0).into_iter().map(|shape| {
+            let id = format!("o{}", ids.next().unwrap());
+            Obstacle { id, shape, clearance_mm: None, top_z_mm: None }
+        });
+        let many: Vec<Obstacle> = many.collect();
+        let empty = scene([], 1.0);
+        let mut prepared = PreparedScene::new(empty.clone(), &Budget::unlimited()).unwrap();
+        let put = |put: &[Obstacle]| SceneEdit { put: put.to_vec(), remove: vec!["o3".to_owned()] };
+        if at_once {
+            prepared.edit(put(&many), &Budget::unlimited()).unwrap();
+            let again = prepared.edit(put(&many[..600]), &Budget::unlimited());
+            again.unwrap();
+            let unknown = SceneEdit { put: many.clone(), remove: vec!["nowhere".to_owned()] };
+            let refusal = prepared.edit(unknown, &Budget::unlimited()).unwrap_err();
+            assert_eq!(refusal, EditRefusal::UnknownObstacle { id: "nowhere".to_owned() });
+        } else {
+            many.iter().for_each(|one| prepared.put_obstacle(one.clone(), &Budget::unlimited()).unwrap());
+            prepared.remove_obstacle("o3").unwrap();
+        }
+        let first = if at_once { many[600..].iter().chain(&many[..600]) } else { many.iter().chain(&[]) };
+        let obstacles = first.filter(|obstacle| obstacle.id != "o3").cloned().collect();
+        let fresh = Scene { obstacles, ..empty };
+        assert_eq!(prepared.vertex_count(), fresh.vertex_count());
+        assert_same(&mut prepared, &fresh, &mut random, 4, &format!("seed {seed}"));
+    }
+}
+
+#[test]
 fn what_is_put_again_and_again_does_not_pile_up() {
     let mut random = Seed(3).stream();
     let fresh = scene(stars(&mut random, 10, 100.0, 10.0), 1.0);

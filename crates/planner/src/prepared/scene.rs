@@ -24,6 +24,9 @@ const HORIZON_CELLS: i64 = 3;
 /// Vertices of obstacles that are gone may always be kept up to this count; beyond, up to as many as are there.
 const GONE_VERTICES: usize = 4096;
 
+/// So many corners may always lie outside of the grid, which was made for the scene as it was at first; beyond, up to half.
+const OUTSIDE_FEATURES: usize = 512;
+
 /// A scene that is kept for many rapid moves and may change between them.
 ///
 /// Answers equal those of [`crate::plan_rapid_move`] in a fresh scene. Preparing costs about as much as one plan; what
@@ -115,6 +118,11 @@ impl PreparedScene {
     /// # Errors
     /// The budget ended; the scene is as it was.
     pub fn put_obstacle(&mut self, obstacle: Obstacle, budget: &Budget) -> Result<(), EditRefusal> {
+        self.tidy(budget);
+        self.put(obstacle, budget)
+    }
+
+    pub(super) fn put(&mut self, obstacle: Obstacle, budget: &Budget) -> Result<(), EditRefusal> {
         budget.check(0).map_err(EditRefusal::Interrupted)?;
         let replaced = self.places.get(&obstacle.id).copied();
         let place = self.scene.obstacles.len();
@@ -198,7 +206,7 @@ impl PreparedScene {
     }
 
     /// The scene as it is now.
-    fn scene_now(&self) -> Scene {
+    pub(super) fn scene_now(&self) -> Scene {
         let mut scene = self.scene.clone();
         let mut place = 0..;
         scene.obstacles.retain(|_| place.next().is_some_and(|place| self.terrain.there.has(place)));
@@ -214,9 +222,11 @@ impl PreparedScene {
         self.sights.note(&self.terrain, place, EditKind::Added);
     }
 
-    /// Takes the scene apart anew when most of what is kept is gone. Cost: about constant per edit.
+    /// Takes the scene apart anew when most of what is kept is gone, or lies outside of the grid. Cost: about constant per
+    /// edit.
     pub(super) fn tidy(&mut self, budget: &Budget) {
-        if self.gone_vertex_count <= self.vertex_count.max(GONE_VERTICES) {
+        let is_outside = self.terrain.outside_count() > OUTSIDE_FEATURES.max(self.terrain.features.len() / 2);
+        if self.gone_vertex_count <= self.vertex_count.max(GONE_VERTICES) && !is_outside {
             return;
         }
         // A scene that is not tidied answers the same, only slower.

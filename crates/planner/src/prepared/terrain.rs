@@ -142,6 +142,11 @@ impl Terrain {
         Ok(terrain)
     }
 
+    /// How many features lie outside of the grid, where each is looked at always.
+    pub(super) fn outside_count(&self) -> usize {
+        self.layer.outside().len()
+    }
+
     /// Adds the next obstacle.
     ///
     /// # Errors
