@@ -80,6 +80,7 @@ pub(super) struct Mesh {
     pub(super) near: Vec<u32>,
     pub(super) bounds: Bounds,
     pub(super) columns: usize,
+    pub(super) cell_rows: usize,
     pub(super) per_cell: Vector,
     /// The largest radius of a corner's circle, millimetres.
     pub(super) radius: f64,
@@ -128,14 +129,20 @@ impl Mesh {
         if !self.bounds.contains(point) {
             return None;
         }
+        self.walk(self.near[self.cell_of(point)], point)
+    }
+
+    /// The cell of a point within the bounds.
+    pub(super) fn cell_of(&self, point: Point) -> usize {
         let by = (point - self.bounds.min).component_mul(&self.per_cell);
+        // A cast from a float saturates.
         let column = (by.x as usize).min(self.columns - 1);
-        let row = (by.y as usize).min(self.near.len() / self.columns - 1);
-        self.walk(self.near[row * self.columns + column], point)
+        let row = (by.y as usize).min(self.cell_rows - 1);
+        row * self.columns + column
     }
 
     /// From triangle to triangle towards a point (visibility walk: O. Devillers, S. Pion, M. Teillaud 2002).
-    pub(super) fn walk(&self, from: u32, point: Point) -> Option<u32> {
+    fn walk(&self, from: u32, point: Point) -> Option<u32> {
         let (mut at, mut before) = (from, None);
         for _ in 0..self.triangles.len() {
             let triangle = self.triangles.get(at as usize)?;

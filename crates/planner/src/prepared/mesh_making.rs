@@ -119,20 +119,30 @@ impl Mesh {
             near: Vec::new(),
             bounds,
             columns,
+            cell_rows: rows,
             per_cell,
             radius,
             step,
         };
-        let mut near = 0;
-        let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-        mesh.near = cells
-            .map(|(row, column)| {
-                let by = Vector::new((column as f64 + 0.5) / per_cell.x, (row as f64 + 0.5) / per_cell.y);
-                near = mesh.walk(near, bounds.min + by).unwrap_or(near);
-                near
-            })
-            .collect();
+        mesh.near = mesh.triangles_by_cell(columns * rows);
         Ok((mesh, borders))
+    }
+
+    /// For each cell a triangle whose middle lies there, or in the nearest cell before it that has one.
+    fn triangles_by_cell(&self, cell_count: usize) -> Vec<u32> {
+        let mut near = vec![NONE; cell_count];
+        for (i, triangle) in self.triangles.iter().enumerate() {
+            let [a, b, c] = triangle.corners.map(|corner| self.corners[corner as usize].coords);
+            near[self.cell_of(Point::from((a + b + c) / 3.0))] = i as u32;
+        }
+        let mut last = 0;
+        for cell in &mut near {
+            if *cell == NONE {
+                *cell = last;
+            }
+            last = *cell;
+        }
+        near
     }
 
     /// Works out which triangles the owners in `hiding`, in order, cover: each part that borders enclose at once.
