@@ -2,11 +2,14 @@
 
 use super::mesh::{LOOKS_BETWEEN_CHECKS, Triangle, Way};
 use spade::handles::FixedVertexHandle;
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+use spade::{ConstrainedDelaunayTriangulation, LineIntersectionIterator, Point2, Triangulation};
 use traverse_geometry::Point;
 use traverse_solve::{Budget, Interrupt};
 
-/// The budget is looked at once for so many corners: a border may cross any number of edges.
+/// Most edges that a border may turn: their number squared is what `spade` takes for it, with no look at the budget.
+const EDGES_TURNED: usize = 512;
+
+/// The budget is looked at once for so many corners.
 const STEPS_BETWEEN_CHECKS: usize = 32;
 
 /// A triangulation that is being made.
@@ -53,14 +56,20 @@ impl Triangulating {
             if from == to || self.by_spade.exists_constraint(from, to) {
                 continue;
             }
-            // An edge that crosses another one is left out.
-            if self.by_spade.can_add_constraint(from, to) {
+            // An edge that crosses another one is left out, and one that would turn too many.
+            if self.crossed_by(from, to) <= EDGES_TURNED && self.by_spade.can_add_constraint(from, to) {
                 self.by_spade.add_constraint(from, to);
             } else {
                 is_added = false;
             }
         }
         Ok(Some(is_added))
+    }
+
+    /// How many edges lie across a border, counted up to a few more than may.
+    fn crossed_by(&self, from: FixedVertexHandle, to: FixedVertexHandle) -> usize {
+        let across = LineIntersectionIterator::new_from_handles(&self.by_spade, from, to);
+        across.take(EDGES_TURNED + 1).count()
     }
 
     /// The triangles, and which of their edges are borders.
