@@ -200,10 +200,15 @@ impl<'a> AlongLinks<'a> {
     fn offer(&mut self, cost: f64, budget: &Budget) -> Result<(), Interrupt> {
         let mut found = std::mem::take(&mut self.room.found);
         found.clear();
-        self.offered = match &mut self.cones {
+        let by_cones = match &mut self.cones {
             Some(cones) => cones.grow(&mut self.room.cones, cost, &mut found, budget)?,
-            None => self.growth.grow(&self.terrain.layer, cost, &mut found),
+            None => None,
         };
+        self.offered = by_cones.unwrap_or_else(|| {
+            // From here on by the ellipse, which offers some once more.
+            self.cones = None;
+            self.growth.grow(&self.terrain.layer, cost, &mut found)
+        });
         if self.cones.is_none()
             && self.horizon.is_none()
             && self.offered_count + found.len() > OFFERED_WITHOUT_HORIZON

@@ -9,7 +9,6 @@
 
 use super::mesh::{Mesh, Way, next};
 use super::terrain::Terrain;
-use crate::search::LABEL_LIMIT;
 use traverse_geometry::{Point, Vector, cross, left_of};
 use traverse_solve::{Budget, Interrupt};
 
@@ -18,6 +17,9 @@ const GROWTH: f64 = 1.25;
 
 /// The budget is looked at once for so many cones.
 const CONES_BETWEEN_CHECKS: usize = 4096;
+
+/// More cones than so many for each triangle are too many: no start sees that much, only rounding among slivers does.
+const CONES_PER_TRIANGLE: usize = 4;
 
 /// A corner so near to the border of a cone is within it, millimetres: far above rounding, far below a contact tolerance.
 const RAY_TOLERANCE_MM: f64 = 1e-8;
@@ -55,10 +57,11 @@ pub(super) struct Cones<'a> {
     slack: f64,
     cost: f64,
     is_first: bool,
+    looked_into: usize,
 }
 
 impl<'a> Cones<'a> {
-    /// From `places`, which stand for `start`. None where a place lies beyond the mesh.
+    /// From `places`, which stand for `start`. None where a place lies beyond the mesh, or on one of its edges.
     pub(super) fn new(
         terrain: &'a Terrain,
         mesh: &'a Mesh,
@@ -73,9 +76,10 @@ impl<'a> Cones<'a> {
         // What a path touches lies within the radius of its corner.
         let slack = 2.0 * mesh.radius + aside + RAY_TOLERANCE_MM;
         let straight = (target - start).norm();
-        let cones = Self { terrain, mesh, target, straight, slack, cost: 0.0, is_first: true };
+        let cones =
+            Self { terrain, mesh, target, straight, slack, cost: 0.0, is_first: true, looked_into: 0 };
         for &root in places {
-            let at = mesh.triangle_at(root)?;
+            let at = mesh.triangle_at(root, RAY_TOLERANCE_MM)?;
             let triangle = &mesh.triangles[at as usize];
             for i in 0..3 {
                 room.near.extend_from_slice(mesh.features_at(triangle.corners[i]));
@@ -92,17 +96,19 @@ impl<'a> Cones<'a> {
     /// Adds to `found` the features that come into view, until all were found by which a path of cost `cost` may leave the
     /// start; answers the cost up to which that holds now: infinity when there are no more.
     ///
+    /// None: there are too many cones.
+    ///
     /// # Errors
-    /// The budget ended, or there are too many cones.
+    /// The budget ended.
     pub(super) fn grow(
         &mut self,
         room: &mut ConeRoom,
         cost: f64,
         found: &mut Vec<u32>,
         budget: &Budget,
-    ) -> Result<f64, Interrupt> {
+    ) -> Result<Option<f64>, Interrupt> {
         if self.cost == f64::INFINITY {
-            return Ok(self.cost);
+            return Ok(Some(self.cost));
         }
         if std::mem::take(&mut self.is_first) {
             found.extend_from_slice(&self.mesh.added);
@@ -114,21 +120,20 @@ impl<'a> Cones<'a> {
         let limit = self.cost + self.slack;
         let due = room.waiting.extract_if(.., |cone| cone.bound <= limit);
         room.open.extend(due);
-        let mut looked_into = 0_usize;
         while let Some(cone) = room.open.pop() {
-            looked_into += 1;
-            if looked_into.is_multiple_of(CONES_BETWEEN_CHECKS) {
+            self.looked_into += 1;
+            if self.looked_into.is_multiple_of(CONES_BETWEEN_CHECKS) {
                 budget.check(0)?;
             }
-            self.look_into(room, &cone, limit, found);
-            if room.waiting.len() > LABEL_LIMIT {
-                return Err(Interrupt::Memory);
+            if self.looked_into > CONES_PER_TRIANGLE * self.mesh.triangles.len() {
+                return Ok(None);
             }
+            self.look_into(room, &cone, limit, found);
         }
         if room.waiting.is_empty() {
             self.cost = f64::INFINITY;
         }
-        Ok(self.cost)
+        Ok(Some(self.cost))
     }
 
     fn look_into(&self, room: &mut ConeRoom, cone: &Cone, limit: f64, found: &mut Vec<u32>) {
@@ -138,17 +143,17 @@ impl<'a> Cones<'a> {
         let apex = triangle.corners[left_edge];
         let by = self.mesh.corners[apex as usize] - cone.root;
         let tolerance = |ray: Vector| RAY_TOLERANCE_MM * (ray.x.abs() + ray.y.abs());
-        let beyond_left = cross(cone.left, by) > tolerance(cone.left);
-        let beyond_right = cross(cone.right, by) < -tolerance(cone.right);
-        if !beyond_left && !beyond_right {
+        let (from_left, from_right) = (cross(cone.left, by), cross(cone.right, by));
+        if from_left <= tolerance(cone.left) && from_right >= -tolerance(cone.right) {
             found.extend_from_slice(self.mesh.features_at(apex));
         }
-        if !beyond_left {
-            let right = if beyond_right { cone.right } else { by };
+        // Only parts of some width: what lies on a ray itself is within the tolerance of either part beside it.
+        if from_left < 0.0 {
+            let right = if from_right > 0.0 { by } else { cone.right };
             self.enter(room, Cone { right, ..*cone }, triangle.across[left_edge], limit);
         }
-        if !beyond_right {
-            let left = if beyond_left { cone.left } else { by };
+        if from_right > 0.0 {
+            let left = if from_left < 0.0 { by } else { cone.left };
             self.enter(room, Cone { left, ..*cone }, triangle.across[right_edge], limit);
         }
     }
@@ -253,7 +258,8 @@ mod tests {
                 };
                 let (mut found, mut offered) = (Vec::new(), 0.0);
                 while offered < f64::INFINITY {
-                    offered = cones.grow(&mut room, offered, &mut found, &Budget::unlimited()).unwrap();
+                    offered =
+                        cones.grow(&mut room, offered, &mut found, &Budget::unlimited()).unwrap().unwrap();
                     for feature in 0..terrain.features.len() as u32 {
                         let circle = terrain.feature(feature);
                         let least = (circle.center - start).norm() + (target - circle.center).norm()

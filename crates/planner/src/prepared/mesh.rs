@@ -124,12 +124,13 @@ impl Mesh {
         }
     }
 
-    /// The triangle that a point lies in, or that it touches; none beyond the mesh.
-    pub(super) fn triangle_at(&self, point: Point) -> Option<u32> {
+    /// The triangle that a point lies in, farther than `least_height` from its edges, millimetres; none where it is nearer to
+    /// one, or beyond the mesh.
+    pub(super) fn triangle_at(&self, point: Point, least_height: f64) -> Option<u32> {
         if !self.bounds.contains(point) {
             return None;
         }
-        self.walk(self.near[self.cell_of(point)], point)
+        self.walk(self.near[self.cell_of(point)], point, least_height)
     }
 
     /// The cell of a point within the bounds.
@@ -142,16 +143,24 @@ impl Mesh {
     }
 
     /// From triangle to triangle towards a point (visibility walk: O. Devillers, S. Pion, M. Teillaud 2002).
-    fn walk(&self, from: u32, point: Point) -> Option<u32> {
-        let (mut at, mut before) = (from, None);
+    fn walk(&self, from: u32, point: Point, least_height: f64) -> Option<u32> {
+        let mut at = from;
         for _ in 0..self.triangles.len() {
             let triangle = self.triangles.get(at as usize)?;
             let corners = triangle.corners.map(|corner| self.corners[corner as usize]);
-            let mut ways =
-                triangle.across.iter().enumerate().filter(|&(_, way)| Some(way.triangle()) != before);
-            let beyond = ways.find(|&(i, _)| cross(corners[next(i)] - corners[i], point - corners[i]) < 0.0);
-            let Some((_, way)) = beyond else { return Some(at) };
-            (before, at) = (Some(at), way.triangle());
+            let height = |i: usize| {
+                let along = corners[next(i)] - corners[i];
+                cross(along, point - corners[i]) / along.norm()
+            };
+            let heights = [0, 1, 2].map(height);
+            if heights.iter().all(|&height| height > least_height) {
+                return Some(at);
+            }
+            let beyond = (0..3).find(|&i| heights[i] < 0.0)?;
+            if triangle.across[beyond] == Way::NONE {
+                return None;
+            }
+            at = triangle.across[beyond].triangle();
         }
         None
     }

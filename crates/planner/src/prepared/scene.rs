@@ -269,6 +269,10 @@ impl ShortestRoute for AlongSights<'_> {
         }
         let mut search = AlongLinks::new(self.terrain, self.mesh, self.sights, [start, target], self.room);
         let found = search.run(budget, &mut stats.expanded_nodes, observer);
+        if matches!(found, Err(Interrupt::Memory)) {
+            // Among slivers, links lead to more labels than a search of the whole scene needs.
+            return MeetingBarriers.shortest(barriers, left_out, [start, target], stats, budget, observer);
+        }
         (found, search.lower_bound)
     }
 }
