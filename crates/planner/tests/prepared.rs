@@ -130,6 +130,26 @@ fn edits_in_random_order_leave_the_scene_as_a_fresh_one() {
     }
 }
 
+/// Where an obstacle stood when the scene was triangulated, corners of the mesh lie in the open: moves begin there, too.
+#[test]
+fn a_start_on_a_corner_of_what_is_gone_is_a_start_like_any() {
+    let square =
+        |x: f64, y: f64| support::polygon(&[(x, y), (x + 10.0, y), (x + 10.0, y + 10.0), (x, y + 10.0)]);
+    let shapes = (0..25).map(|i| square(f64::from(i % 5) * 20.0, f64::from(i / 5) * 20.0));
+    let mut fresh = scene(shapes.collect::<Vec<_>>(), 0.0);
+    let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+    prepared.triangulate(&Budget::unlimited()).unwrap();
+    for gone in ["o12", "o7", "o0"] {
+        fresh.obstacles.retain(|obstacle| obstacle.id != gone);
+        prepared.remove_obstacle(gone).unwrap();
+        for corner in [(40.0, 40.0), (50.0, 50.0), (45.0, 40.0)] {
+            for target in [(95.0, 95.0), (-5.0, 33.0), (15.0, 15.0), (45.0, -5.0)] {
+                assert_same(&mut prepared, &fresh, corner, target, &format!("{gone} {corner:?} {target:?}"));
+            }
+        }
+    }
+}
+
 #[test]
 fn an_obstacle_that_is_not_there_can_not_be_removed() {
     let mut prepared = PreparedScene::new(scene([], 0.0), &Budget::unlimited()).unwrap();

@@ -90,7 +90,7 @@ pub(super) struct Mesh {
 
 impl Mesh {
     /// The mesh of a scene as it is now; none where a mesh says nothing: there are arcs or mitred barriers, or coordinates
-    /// that can't be told apart. Cost: about 1 µs for each corner.
+    /// that can't be told apart. Cost: about n log n.
     ///
     /// # Errors
     /// The budget ended.

@@ -163,8 +163,7 @@ impl PreparedScene {
     }
 
     /// Triangulates the scene now, which otherwise happens when many queries were asked without an edit between: later
-    /// queries are faster, their answers the same. Of no effect where there are arcs or mitred barriers. Cost: about 2 µs for
-    /// each vertex.
+    /// queries are faster, their answers the same. Of no effect where there are arcs or mitred barriers. Cost: about n log n.
     ///
     /// # Errors
     /// The budget ended; the scene is as it was.
