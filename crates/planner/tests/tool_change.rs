@@ -5,7 +5,7 @@
 mod support;
 
 use rand::RngExt;
-use support::tool_change::{any_region, change, compare, no_place, placed, placed_plan};
+use support::tool_change::{among_stars, any_region, change, compare, no_place, placed, placed_plan};
 use support::{assert_close, disc, mitred, plan, point, polygon, rectangle, scene, stars};
 use traverse_geometry::{EndRule, HeightRule, Point, Polygon, RapidRules, Ring};
 use traverse_planner::{FeasibleClearance, Refusal, ToolChange, ToolChangeAnswer, plan_tool_change};
@@ -73,23 +73,7 @@ fn points_alone_are_the_cheapest_of_all() {
 fn nothing_sampled_is_cheaper_among_stars() {
     let mut compared = 0;
     for seed in 0..90 {
-        let mut random = Seed(seed).stream();
-        let count = random.random_range(1..7);
-        let shapes = stars(&mut random, count, 60.0, 14.0);
-        let clearance = [0.0, 1.5, 4.0][seed as usize % 3];
-        let mut scene = scene(shapes, clearance);
-        if seed % 5 == 0 {
-            scene = mitred(scene);
-        }
-        if seed % 4 == 1 {
-            scene.work_area = Some(rectangle(-20.0, -20.0, 80.0, 80.0));
-        }
-        let mut at = || point(random.random_range(-15.0..75.0), random.random_range(-15.0..75.0));
-        let (start, target) = (at(), at());
-        let mut regions = vec![any_region(&mut random, 60.0)];
-        if seed % 3 == 0 {
-            regions.push(any_region(&mut random, 60.0));
-        }
+        let (scene, [start, target], regions) = among_stars(seed);
         let question = change(start, target, regions);
         compared += usize::from(compare(&scene, &question, 4.0, &format!("seed {seed}")));
     }

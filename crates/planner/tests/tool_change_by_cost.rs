@@ -5,7 +5,7 @@
 mod support;
 
 use rand::RngExt;
-use support::tool_change::{any_region, change, compare, placed, placed_plan, sampled};
+use support::tool_change::{among_stars, any_region, change, compare, placed, placed_plan, sampled};
 use support::{answer_by, assert_close, disc, mitred, plan_by, point, polygon, rectangle, scene, stars};
 use traverse_geometry::{
     AxisSpeeds, CostUnit, EndRule, HeightRule, Kinematics, Point, Polygon, RapidMotion, RapidRules, Ring,
@@ -87,23 +87,7 @@ fn of_places_that_cost_the_same_the_free_ones_count() {
 fn nothing_sampled_is_cheaper_among_stars() {
     let mut compared = 0;
     for seed in 0..100 {
-        let mut random = Seed(seed).stream();
-        let count = random.random_range(1..7);
-        let shapes = stars(&mut random, count, 60.0, 14.0);
-        let clearance = [0.0, 1.5, 4.0][seed as usize % 3];
-        let mut scene = scene(shapes, clearance);
-        if seed % 5 == 0 {
-            scene = mitred(scene);
-        }
-        if seed % 4 == 1 {
-            scene.work_area = Some(rectangle(-20.0, -20.0, 80.0, 80.0));
-        }
-        let mut at = || point(random.random_range(-15.0..75.0), random.random_range(-15.0..75.0));
-        let (start, target) = (at(), at());
-        let mut regions = vec![any_region(&mut random, 60.0)];
-        if seed % 3 == 0 {
-            regions.push(any_region(&mut random, 60.0));
-        }
+        let (scene, [start, target], regions) = among_stars(seed);
         let question = change_by(axes(seed / 2), start, target, regions);
         compared += usize::from(compare(&scene, &question, 14.0, &format!("seed {seed}")));
     }

@@ -1,6 +1,6 @@
 //! Tool changes: asked, checked, held against sampling.
 
-use super::{answer_by, assert_close, disc, plan_by, point, rectangle, star};
+use super::{answer_by, assert_close, disc, mitred, plan_by, point, rectangle, scene, star, stars};
 use rand::RngExt;
 use traverse_checker::{PlacedChange, check_tool_change};
 use traverse_geometry::{
@@ -9,7 +9,7 @@ use traverse_geometry::{
 use traverse_planner::{
     Answer, NoPath, Refusal, ToolChange, ToolChangeAnswer, ToolChangePlan, plan_tool_change,
 };
-use traverse_solve::{Budget, Silent};
+use traverse_solve::{Budget, Seed, Silent};
 
 pub fn change(start: Point, target: Point, regions: Vec<Polygon>) -> ToolChange {
     ToolChange { start, target, regions, points: Vec::new(), place_z_mm: None, rules: RapidRules::default() }
@@ -155,4 +155,25 @@ pub fn any_region(random: &mut impl RngExt, side: f64) -> Polygon {
             rectangle(center.x - w, center.y - h, center.x + w, center.y + h)
         }
     }
+}
+
+/// A scene of stars, some mitred, some with a work area; start and target; one or two regions.
+pub fn among_stars(seed: u64) -> (Scene, [Point; 2], Vec<Polygon>) {
+    let mut random = Seed(seed).stream();
+    let count = random.random_range(1..7);
+    let shapes = stars(&mut random, count, 60.0, 14.0);
+    let mut scene = scene(shapes, [0.0, 1.5, 4.0][seed as usize % 3]);
+    if seed.is_multiple_of(5) {
+        scene = mitred(scene);
+    }
+    if seed % 4 == 1 {
+        scene.work_area = Some(rectangle(-20.0, -20.0, 80.0, 80.0));
+    }
+    let mut at = || point(random.random_range(-15.0..75.0), random.random_range(-15.0..75.0));
+    let ends = [at(), at()];
+    let mut regions = vec![any_region(&mut random, 60.0)];
+    if seed.is_multiple_of(3) {
+        regions.push(any_region(&mut random, 60.0));
+    }
+    (scene, ends, regions)
 }
