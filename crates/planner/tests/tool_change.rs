@@ -6,7 +6,7 @@ mod support;
 
 use rand::RngExt;
 use support::tool_change::{among_stars, any_region, change, compare, no_place, placed, placed_plan};
-use support::{assert_close, disc, mitred, plan, point, polygon, rectangle, scene, stars};
+use support::{assert_close, disc, plan, point, polygon, rectangle, scene, stars};
 use traverse_geometry::{EndRule, HeightRule, Point, Polygon, RapidRules, Ring};
 use traverse_planner::{FeasibleClearance, Refusal, ToolChange, ToolChangeAnswer, plan_tool_change};
 use traverse_solve::{Budget, Interrupt, Seed, Silent};
