@@ -6,7 +6,7 @@ mod support;
 
 use rand::RngExt;
 use support::tool_change::{among_stars, any_region, change, compare, placed, placed_plan, sampled};
-use support::{answer_by, assert_close, disc, mitred, plan_by, point, polygon, rectangle, scene, stars};
+use support::{answer_by, assert_close, disc, plan_by, point, polygon, rectangle, scene, stars};
 use traverse_geometry::{
     AxisSpeeds, CostUnit, EndRule, HeightRule, Kinematics, Point, Polygon, RapidMotion, RapidRules, Ring,
     TravelCost,
