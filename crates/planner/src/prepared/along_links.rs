@@ -12,7 +12,7 @@
 //! Cost: one look at the target for each label that is looked into, and a few nanoseconds for each link that goes on from
 //! it.
 
-use super::best::Best;
+use super::best::{Best, TURN_TOLERANCE};
 use super::cones::{ConeRoom, Cones};
 use super::growth::Growth;
 use super::horizon::Horizon;
@@ -332,7 +332,7 @@ impl<'a> AlongLinks<'a> {
         let serves = |paid: &Paid| {
             let turn = (label.offset - paid.offset) * side.sign();
             paid.stretch == stretch
-                && turn >= 0.0
+                && turn >= -TURN_TOLERANCE
                 && paid.cost + circle.price_radius * turn <= label.cost + 1e-12
         };
         if paid.iter().any(serves) {

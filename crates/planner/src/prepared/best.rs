@@ -10,6 +10,9 @@ use crate::barrier::Side;
 /// Costs that differ by less than this are equal, millimetres: rounding, far below what is promised.
 const COST_TOLERANCE_MM: f64 = 1e-12;
 
+/// Turned back by less than this is not turned at all, radians: rounding of what goes over from circle to circle and back.
+pub(super) const TURN_TOLERANCE: f64 = 1e-12;
+
 /// What is dearer by more than this is idle, millimetres: above what planning at one contact tolerance and pricing at 0 can
 /// set apart.
 const DEARER_MM: f64 = 1e-9;
@@ -57,7 +60,7 @@ impl Best {
             let turn = (offset - known.offset) * side.sign();
             let there = known.cost + radius * turn.abs();
             if there < cost - DEARER_MM
-                || known.side == side && turn >= 0.0 && there <= cost + COST_TOLERANCE_MM
+                || known.side == side && turn >= -TURN_TOLERANCE && there <= cost + COST_TOLERANCE_MM
             {
                 return false;
             }

@@ -8,6 +8,9 @@ const COST_TOLERANCE: f64 = 1e-12;
 /// Offsets that differ by less than this may be the same, radians: above every rounding.
 const OFFSET_TOLERANCE: f64 = 1e-6;
 
+/// Turned back by less than this is not turned at all, radians: rounding of what goes over from circle to circle and back.
+const TURN_TOLERANCE: f64 = 1e-12;
+
 /// Where on which feature, as far as labels can be compared: on one side, within one free stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lane {
@@ -74,7 +77,7 @@ impl Settled {
         let Some(sides) = self.0.get(lane.feature as usize) else { return false };
         sides[lane.side as usize].iter().any(|paid| {
             let turn = (offset - paid.offset) * lane.side.sign();
-            paid.stretch == lane.stretch as u32 && turn >= 0.0 && holds(paid.cost + arc(paid.offset))
+            paid.stretch == lane.stretch as u32 && turn >= -TURN_TOLERANCE && holds(paid.cost + arc(paid.offset))
         })
     }
 }

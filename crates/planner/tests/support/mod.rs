@@ -1,6 +1,7 @@
 //! What the tests of the planner share: building scenes, planning, checking.
 #![allow(dead_code, missing_docs, unreachable_pub, reason = "every test file uses a part of it")]
 
+pub mod awkward;
 pub mod oracle;
 pub mod taut;
 pub mod tool_change;
