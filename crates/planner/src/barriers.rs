@@ -115,6 +115,15 @@ impl<'a> Barriers<'a> {
         self.parts().whole.near(line).filter(|blocker| self.is_there(blocker.owner))
     }
 
+    /// Shows `visit` every blocker that `point` lies nearer to than its limit and a `margin`, some of them more than once.
+    pub(crate) fn round(&self, point: Point, margin: f64, mut visit: impl FnMut(&Blocker)) {
+        self.parts().whole.round(point, margin, |blocker| {
+            if self.is_there(blocker.owner) {
+                visit(blocker);
+            }
+        });
+    }
+
     /// The offsets of `feature` at which the planned path would come too near to some blocker, each with its owner.
     pub(crate) fn blocked_offsets(&self, feature: &Feature) -> impl Iterator<Item = (f64, f64, usize)> {
         self.parts().whole.blocked_offsets(feature).filter(|&(_, _, owner)| self.is_there(owner))

@@ -55,6 +55,7 @@ mod kinematics;
 mod level;
 mod lowered;
 mod measure;
+mod places;
 mod plan;
 mod prepared;
 mod price;

@@ -19,7 +19,7 @@ use traverse_planner::{Answer, EditRefusal, PreparedScene, SceneEdit, plan_rapid
 use traverse_solve::{Budget, Seed, Silent};
 
 fn seeds() -> Range<u64> {
-    let Ok(range) = std::env::var("AWKWARD_SEEDS") else { return 0..150 };
+    let Ok(range) = std::env::var("AWKWARD_SEEDS") else { return 0..50 };
     let (first, end) = range.split_once("..").expect("FIRST..END");
     first.parse().unwrap()..end.parse().unwrap()
 }

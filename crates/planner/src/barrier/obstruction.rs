@@ -154,6 +154,19 @@ impl Obstruction {
         self.each(found)
     }
 
+    /// Shows `visit` every blocker that `point` lies nearer to than its limit and a `margin`, some of them more than once.
+    pub(crate) fn round<'a>(&'a self, point: Point, margin: f64, mut visit: impl FnMut(&'a Blocker)) {
+        let _ = self.grid.within(&Bounds::of([point]).grown(margin), |item| {
+            let run = &self.runs[item as usize];
+            if run.bounds.grown(margin).contains(point) {
+                let near =
+                    |blocker: &&Blocker| blocker.edge.distance_to_point(point) < blocker.limit + margin;
+                self.blockers[run.first as usize..run.end as usize].iter().filter(near).for_each(&mut visit);
+            }
+            ControlFlow::Continue(())
+        });
+    }
+
     /// The offsets of `feature` at which the planned path would come too near to some blocker: disjoint or not,
     /// each with the blocker's owner.
     pub(crate) fn blocked_offsets(&self, feature: &Feature) -> impl Iterator<Item = (f64, f64, usize)> {
