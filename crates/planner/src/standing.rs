@@ -20,7 +20,7 @@ const NARROW_WEDGE: f64 = 1e-4;
 /// Every barrier that `point` lies inside of: owner and depth, millimetres. `left_out` is taken for not there.
 ///
 /// # Errors
-/// The budget ended. Cost: linear; in a prepared scene mostly constant.
+/// The budget ended. Cost: linear in the barriers that it may lie in; in a prepared scene mostly constant.
 pub(crate) fn depths(
     barriers: &Barriers<'_>,
     left_out: &BTreeSet<usize>,
@@ -69,7 +69,7 @@ fn depths_one_by_one(
 /// An end at `point`, which lies inside no barrier, as the search sees it.
 ///
 /// # Errors
-/// The budget ended. Cost: linear.
+/// The budget ended. Cost: as that of [`depths`].
 pub(crate) fn stand(
     barriers: &Barriers<'_>,
     left_out: &BTreeSet<usize>,
@@ -114,8 +114,7 @@ pub(crate) fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Opti
     let depth = if inside {
         clearance.asked + distance()
     } else if mitred {
-        let gauge =
-            barriers.outlines(owner).filter_map(|outline| miter_gauge(outline.ring, point, clearance));
+        let gauge = barriers.outlines(owner).filter_map(|outline| miter_gauge(&outline, point));
         clearance.asked - gauge.fold(clearance.asked, f64::min)
     } else {
         clearance.asked - distance()
@@ -181,12 +180,12 @@ fn border_rays(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point
 /// Blockers that `point` lies nearer to than a contact tolerance and that are planned at it.
 fn near(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Vec<Blocker> {
     let here = Segment::new(point, point);
-    let touches = |blocker: &&Blocker| {
+    let touches = |blocker: &Blocker| {
         blocker.limit <= CONTACT_TOLERANCE_MM
             && !left_out.contains(&blocker.owner)
             && blocker.edge.distance_to_point(point) < CONTACT_TOLERANCE_MM
     };
-    barriers.near(&here).filter(touches).copied().collect()
+    barriers.near(&here).filter(touches).collect()
 }
 
 /// Whether a planned path may pass `place`.
