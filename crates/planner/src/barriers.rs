@@ -1,40 +1,27 @@
 //! All barriers of a scene.
 
-use crate::barrier::{Blocker, Clearance, Feature, Obstruction, Outline};
+use crate::barrier::{Blocker, Clearance, Feature, Obstruction, ObstructionParts, Outline};
 use crate::prepared::Nearby;
-use std::borrow::Cow;
 use std::ops::ControlFlow;
-use traverse_geometry::{Obstacle, Point, Polygon, Ring, Scene, Segment, WORK_AREA_ID};
+use traverse_geometry::{Obstacle, Point, Polygon, Scene, Segment, WORK_AREA_ID};
 use traverse_solve::{Budget, Interrupt};
 
 /// The owner of the work area's border. An obstacle's barrier is owned by the obstacle's index.
 pub(crate) const WORK_AREA: usize = usize::MAX;
 
-/// The rings of one owner, with the material on the left.
-pub(crate) type Rings<'a> = Vec<Cow<'a, Ring>>;
-
 /// Every barrier of a scene.
 pub(crate) struct Barriers<'a> {
     pub(crate) scene: &'a Scene,
-    parts: Kept<'a>,
+    /// What blocks a move in the whole scene.
+    whole: Kept<'a>,
     /// Owners that are there, and where; none: all of them.
     there: Option<(&'a Marks, &'a Nearby)>,
 }
 
-/// What barriers are made of.
-#[derive(Default)]
-pub(crate) struct Parts<'a> {
-    /// Per obstacle, and of the work area.
-    pub(crate) obstacles: Vec<Rings<'a>>,
-    pub(crate) work_area: Rings<'a>,
-    /// What blocks a move in the whole scene.
-    pub(crate) whole: Obstruction,
-}
-
-/// Parts of one's own, or kept elsewhere.
+/// An obstruction of one's own, or kept elsewhere.
 enum Kept<'a> {
-    Here(Box<Parts<'a>>),
-    There(&'a Parts<'a>),
+    Here(Box<Obstruction<'a>>),
+    There(&'a Obstruction<'a>),
 }
 
 /// A yes or no for every owner.
@@ -65,59 +52,54 @@ impl Marks {
 }
 
 impl<'a> Barriers<'a> {
-    /// Takes the scene's barriers apart. Cost: linear.
+    /// Takes the scene's barriers apart. Cost: constant for each short ring, linear for long and mitred ones.
     ///
     /// # Errors
     /// The budget ended.
     pub(crate) fn new(scene: &'a Scene, budget: &Budget) -> Result<Self, Interrupt> {
-        let obstacles = scene.obstacles.iter().map(|obstacle| material_left(&obstacle.shape, true)).collect();
-        let work_area = scene.work_area.iter().flat_map(|area| material_left(area, false)).collect();
-        let mut parts = Parts { obstacles, work_area, whole: Obstruction::default() };
-        let barriers = Barriers::view(scene, &parts, None);
-        let (mut blockers, mut ends) = (Vec::with_capacity(scene.vertex_count()), Vec::new());
-        for owner in barriers.owners() {
+        let mut parts = ObstructionParts::with_capacity(0, scene.obstacles.len() + 1);
+        for owner in owners(scene) {
             budget.check(0)?;
-            for outline in barriers.outlines(owner) {
-                outline.add_blockers(&mut blockers);
-                ends.push(blockers.len());
+            for outline in outlines(scene, owner) {
+                parts.add(outline, budget)?;
             }
         }
-        parts.whole = Obstruction::new(blockers, &ends, budget)?;
-        Ok(Self { scene, parts: Kept::Here(Box::new(parts)), there: None })
+        let whole = Obstruction::new(parts, budget)?;
+        Ok(Self { scene, whole: Kept::Here(Box::new(whole)), there: None })
     }
 
     /// Barriers that were taken apart before; of the owners those that are `there`, or all.
     pub(crate) fn view(
         scene: &'a Scene,
-        parts: &'a Parts<'a>,
+        whole: &'a Obstruction<'a>,
         there: Option<(&'a Marks, &'a Nearby)>,
     ) -> Self {
-        Self { scene, parts: Kept::There(parts), there }
+        Self { scene, whole: Kept::There(whole), there }
     }
 
-    fn parts(&self) -> &Parts<'a> {
-        match &self.parts {
-            Kept::Here(parts) => parts,
-            Kept::There(parts) => parts,
+    fn whole(&self) -> &Obstruction<'a> {
+        match &self.whole {
+            Kept::Here(whole) => whole,
+            Kept::There(whole) => whole,
         }
     }
 
     /// Shows `visit` every blocker that blocks the straight move, until it breaks off; as
     /// [`Obstruction::blocking`] does.
     pub(crate) fn blocking(&self, line: &Segment, mut visit: impl FnMut(&Blocker) -> ControlFlow<()>) {
-        self.parts().whole.blocking(line, |blocker| {
+        self.whole().blocking(line, |blocker| {
             if self.is_there(blocker.owner) { visit(blocker) } else { ControlFlow::Continue(()) }
         });
     }
 
     /// Every blocker that may block the straight move, and some that don't.
-    pub(crate) fn near(&self, line: &Segment) -> impl Iterator<Item = &Blocker> {
-        self.parts().whole.near(line).filter(|blocker| self.is_there(blocker.owner))
+    pub(crate) fn near(&self, line: &Segment) -> impl Iterator<Item = Blocker> {
+        self.whole().near(line).filter(|blocker| self.is_there(blocker.owner))
     }
 
     /// Shows `visit` every blocker that `point` lies nearer to than its limit and a `margin`, some of them more than once.
     pub(crate) fn round(&self, point: Point, margin: f64, mut visit: impl FnMut(&Blocker)) {
-        self.parts().whole.round(point, margin, |blocker| {
+        self.whole().round(point, margin, |blocker| {
             if self.is_there(blocker.owner) {
                 visit(blocker);
             }
@@ -126,7 +108,7 @@ impl<'a> Barriers<'a> {
 
     /// The offsets of `feature` at which the planned path would come too near to some blocker, each with its owner.
     pub(crate) fn blocked_offsets(&self, feature: &Feature) -> impl Iterator<Item = (f64, f64, usize)> {
-        self.parts().whole.blocked_offsets(feature).filter(|&(_, _, owner)| self.is_there(owner))
+        self.whole().blocked_offsets(feature).filter(|&(_, _, owner)| self.is_there(owner))
     }
 
     fn is_there(&self, owner: usize) -> bool {
@@ -137,21 +119,26 @@ impl<'a> Barriers<'a> {
     pub(crate) fn there(&self) -> Marks {
         self.there
             .map(|(there, _)| there.clone())
-            .unwrap_or_else(|| Marks::of(self.parts().obstacles.len(), true))
+            .unwrap_or_else(|| Marks::of(self.scene.obstacles.len(), true))
     }
 
     /// Every owner: the obstacles, then the work area if there is one.
     pub(crate) fn owners(&self) -> impl Iterator<Item = usize> {
         let there = self.there;
-        let parts = self.parts();
-        let all = (0..parts.obstacles.len()).chain((!parts.work_area.is_empty()).then_some(WORK_AREA));
-        all.filter(move |&owner| there.is_none_or(|(there, _)| there.has(owner)))
+        owners(self.scene).filter(move |&owner| there.is_none_or(|(there, _)| there.has(owner)))
     }
 
     /// Every owner that `point` may lie in or near, and others.
     pub(crate) fn owners_at(&self, point: Point) -> Vec<usize> {
         match self.there {
-            None => self.owners().collect(),
+            None => {
+                let mut owners = self.whole().owners_at(point);
+                // Of the work area the material is what lies outside of it.
+                if self.scene.work_area.is_some() && owners.last() != Some(&WORK_AREA) {
+                    owners.push(WORK_AREA);
+                }
+                owners
+            }
             Some((there, nearby)) => {
                 let mut owners = nearby.owners_at(point);
                 owners.retain(|&owner| there.has(owner));
@@ -201,34 +188,32 @@ impl<'a> Barriers<'a> {
 
     /// The clearance kept from an owner.
     pub(crate) fn clearance(&self, owner: usize) -> Clearance {
-        let asked = match self.obstacle(owner) {
-            Some(obstacle) => self.scene.clearance_of(obstacle),
-            None => self.scene.border_clearance(),
-        };
-        Clearance { asked, style: self.scene.corner_style }
+        clearance(self.scene, owner)
     }
 
     /// The owner's rings, each with its clearance.
-    pub(crate) fn outlines(&self, owner: usize) -> impl Iterator<Item = Outline<'_>> {
-        let clearance = self.clearance(owner);
-        let parts = self.parts();
-        let rings = parts.obstacles.get(owner).unwrap_or(&parts.work_area);
-        rings.iter().map(move |ring| Outline { ring, clearance, owner })
+    pub(crate) fn outlines(&self, owner: usize) -> impl Iterator<Item = Outline<'a>> {
+        outlines(self.scene, owner)
     }
 }
 
-/// The polygon's rings with the material on the left: inside it, or outside.
-pub(crate) fn material_left(polygon: &Polygon, inside: bool) -> Rings<'_> {
-    polygon
-        .rings()
-        .enumerate()
-        .map(|(index, ring)| {
-            let counter_clockwise = (index == 0) == inside;
-            if ring.is_counter_clockwise() == counter_clockwise {
-                Cow::Borrowed(ring)
-            } else {
-                Cow::Owned(ring.reversed())
-            }
-        })
-        .collect()
+/// Every owner of a scene: the obstacles, then the work area if there is one.
+fn owners(scene: &Scene) -> impl Iterator<Item = usize> {
+    (0..scene.obstacles.len()).chain(scene.work_area.as_ref().map(|_| WORK_AREA))
+}
+
+fn clearance(scene: &Scene, owner: usize) -> Clearance {
+    let asked = match scene.obstacles.get(owner) {
+        Some(obstacle) => scene.clearance_of(obstacle),
+        None => scene.border_clearance(),
+    };
+    Clearance { asked, style: scene.corner_style }
+}
+
+/// The rings of an owner in a scene, with the material on the left, each with its clearance.
+pub(crate) fn outlines(scene: &Scene, owner: usize) -> impl Iterator<Item = Outline<'_>> {
+    let clearance = clearance(scene, owner);
+    let obstacle = scene.obstacles.get(owner).map(|obstacle| &obstacle.shape);
+    let shape = obstacle.or(scene.work_area.as_ref()).into_iter();
+    shape.flat_map(move |shape| Outline::of(shape, obstacle.is_some(), clearance, owner))
 }

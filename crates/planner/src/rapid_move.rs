@@ -3,8 +3,8 @@
 //! Clearances are tried in turn; at each the ends' ways out of the barriers are found, then the best level, and at each
 //! level that matters the shortest path in the plane.
 //!
-//! Cost: a search among the barriers that it meets for each clearance and level; building the obstruction of the whole
-//! scene is n log n, once for each clearance.
+//! Cost: a search among the barriers that it meets for each clearance and level; the obstruction of the whole scene, once
+//! for each clearance, is linear in rings as long as these are short, in edges otherwise.
 
 use crate::at_clearance::{AtClearance, Outcome};
 use crate::barriers::Barriers;

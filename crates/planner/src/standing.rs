@@ -11,7 +11,7 @@ use traverse_solve::{Budget, Interrupt};
 /// Every barrier that `point` lies inside of: owner and depth, millimetres. `left_out` is taken for not there.
 ///
 /// # Errors
-/// The budget ended. Cost: linear; in a prepared scene mostly constant.
+/// The budget ended. Cost: linear in the barriers that it may lie in; in a prepared scene mostly constant.
 pub(crate) fn depths(
     barriers: &Barriers<'_>,
     left_out: &BTreeSet<usize>,
@@ -60,7 +60,7 @@ fn depths_one_by_one(
 /// An end at `point`, which lies inside no barrier, as the search sees it.
 ///
 /// # Errors
-/// The budget ended. Cost: linear.
+/// The budget ended. Cost: as that of [`depths`].
 pub(crate) fn stand(
     barriers: &Barriers<'_>,
     left_out: &BTreeSet<usize>,
@@ -102,8 +102,7 @@ pub(crate) fn depth(barriers: &Barriers<'_>, owner: usize, point: Point) -> Opti
     let depth = if inside {
         clearance.asked + distance()
     } else if mitred {
-        let gauge =
-            barriers.outlines(owner).filter_map(|outline| miter_gauge(outline.ring, point, clearance));
+        let gauge = barriers.outlines(owner).filter_map(|outline| miter_gauge(&outline, point));
         clearance.asked - gauge.fold(clearance.asked, f64::min)
     } else {
         clearance.asked - distance()

@@ -70,12 +70,6 @@ struct Entry {
     next: u32,
 }
 
-impl Default for Grid {
-    fn default() -> Self {
-        Self::new(&Load::NONE)
-    }
-}
-
 impl Grid {
     /// An empty grid for such a load.
     pub(crate) fn new(load: &Load) -> Self {

@@ -1,9 +1,8 @@
 //! Mitred corners: parallel lines that meet in control points, as published in 2008.
 
-use super::Clearance;
+use super::Outline;
 use traverse_geometry::{
-    Arc, CONTACT_TOLERANCE_MM, CornerStyle, Edge, MITER_RATIO_LIMIT, Point, Ring, Segment, Vector, left_of,
-    unit,
+    Arc, CONTACT_TOLERANCE_MM, CornerStyle, Edge, MITER_RATIO_LIMIT, Point, Segment, Vector, left_of, unit,
 };
 
 /// A convex corner: the vertex and the outward normals of the edges that meet there.
@@ -76,14 +75,14 @@ pub(crate) fn parallel(edge: &Edge, distance: f64) -> Option<Edge> {
     }
 }
 
-/// The clearance at which the mitred barrier of a ring passes through `p` (outside it), if that is below the
+/// The clearance at which the mitred barrier of an outline passes through `p` (outside it), if that is below the
 /// clearance asked for: how near `p` is, as mitred barriers measure. Cost: linear.
-pub(crate) fn miter_gauge(ring: &Ring, p: Point, clearance: Clearance) -> Option<f64> {
+pub(crate) fn miter_gauge(outline: &Outline<'_>, p: Point) -> Option<f64> {
+    let (ring, clearance) = (outline.ring, outline.clearance);
     let limit = match clearance.style {
         CornerStyle::Miter { limit } => limit.unwrap_or(MITER_RATIO_LIMIT),
         CornerStyle::Round => return None,
     };
-    let outline = super::Outline { ring, clearance, owner: 0 };
     let edges = ring.edges().filter_map(|edge| strip_gauge(&edge, p));
     let corners = (0..ring.len()).filter_map(|i| corner_gauge(&outline.corner_at(i)?, p, limit));
     edges.chain(corners).min_by(f64::total_cmp).filter(|&gauge| gauge < clearance.asked)

@@ -9,16 +9,23 @@
 //! priced at 0: costs and the path that is answered come from the obstacle's own corners. See
 //! docs/decisions/0001-clearance-zero.md.
 
+mod blocked_offsets;
 mod blocker;
 mod feature;
 mod grid;
 mod miter;
 mod obstruction;
+mod obstruction_parts;
+mod oriented_ring;
 mod outline;
+mod quick_test;
+mod run;
 
 pub(crate) use blocker::Blocker;
 pub(crate) use feature::{Feature, Side};
 pub(crate) use grid::{Grid, Load};
 pub(crate) use miter::miter_gauge;
 pub(crate) use obstruction::Obstruction;
+pub(crate) use obstruction_parts::ObstructionParts;
+pub(crate) use oriented_ring::OrientedRing;
 pub(crate) use outline::{Clearance, Outline};

@@ -1,9 +1,9 @@
 //! From a ring to the blockers and features of its barrier.
 
 use super::miter::{self, Corner};
-use super::{Blocker, Feature};
+use super::{Blocker, Feature, OrientedRing};
 use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Orientation, Ring, Vector, cross, left_of, orientation,
+    CONTACT_TOLERANCE_MM, CornerStyle, Edge, Orientation, Polygon, Vector, cross, left_of, orientation,
 };
 use traverse_solve::{Budget, Interrupt};
 
@@ -47,18 +47,40 @@ impl Clearance {
 /// One ring with the material on the left of its edges, and the clearance kept from it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outline<'a> {
-    pub(crate) ring: &'a Ring,
+    pub(crate) ring: OrientedRing<'a>,
     pub(crate) clearance: Clearance,
     pub(crate) owner: usize,
 }
 
-impl Outline<'_> {
+impl<'a> Outline<'a> {
+    /// Those of a polygon whose inside is the material, or leaves it free.
+    pub(crate) fn of(
+        polygon: &'a Polygon,
+        is_material: bool,
+        clearance: Clearance,
+        owner: usize,
+    ) -> impl Iterator<Item = Self> {
+        polygon.rings().enumerate().map(move |(index, ring)| {
+            let ring = OrientedRing::new(ring, (index == 0) == is_material);
+            Self { ring, clearance, owner }
+        })
+    }
+
+    /// Whether its blockers are others than its edges.
+    pub(super) fn is_mitred(&self) -> bool {
+        self.clearance.miter().is_some()
+    }
+
+    /// The blocker of edge `i`, unless it is mitred.
+    pub(super) fn blocker(&self, i: usize) -> Blocker {
+        Blocker { edge: self.ring.edge(i), limit: self.clearance.limit(), owner: self.owner }
+    }
+
     /// Adds the ring's blockers. Cost: linear.
     pub(crate) fn add_blockers(&self, blockers: &mut Vec<Blocker>) {
         let (clearance, owner) = (self.clearance, self.owner);
         let Some(miter_limit) = clearance.miter() else {
-            let limit = clearance.limit();
-            blockers.extend(self.ring.edges().map(|edge| Blocker { edge, limit, owner }));
+            blockers.extend((0..self.ring.len()).map(|i| self.blocker(i)));
             return;
         };
         // The barrier's own border, one contact tolerance further in; half of it is kept as distance.

@@ -7,15 +7,14 @@ use super::mesh_kept::MeshKept;
 use super::sights::{EditKind, LINKS_KEPT, Sights};
 use super::terrain::Terrain;
 use crate::barrier::Clearance;
-use crate::barriers::{Barriers, Parts, Rings, material_left};
+use crate::barriers::Barriers;
 use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
 use crate::search::{End, Route};
 use crate::shortest_route::{MeetingBarriers, ShortestRoute};
 use crate::{Algorithm, Answer, RapidMove, Refusal, Stats};
 use rustc_hash::FxHashMap;
-use std::borrow::Cow;
 use std::collections::BTreeSet;
-use traverse_geometry::{Obstacle, Polygon, Scene};
+use traverse_geometry::{Obstacle, Scene};
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// The start's horizon is made of what stands within so many cells.
@@ -72,10 +71,7 @@ impl PreparedScene {
 
     /// The same, but of what was seen about `links_kept` tangents are kept.
     pub(crate) fn keeping(scene: Scene, links_kept: usize, budget: &Budget) -> Result<Self, Interrupt> {
-        let obstacles = scene.obstacles.iter().map(|obstacle| owned(&obstacle.shape, true)).collect();
-        let work_area = scene.work_area.iter().flat_map(|area| owned(area, false)).collect();
-        let parts = Parts { obstacles, work_area, ..Parts::default() };
-        let terrain = Terrain::new(&scene, parts, budget)?;
+        let terrain = Terrain::new(&scene, budget)?;
         let ids = scene.obstacles.iter().enumerate();
         let places = ids.map(|(place, obstacle)| (obstacle.id.clone(), place)).collect();
         let vertex_count = scene.vertex_count();
@@ -128,7 +124,7 @@ impl PreparedScene {
         let place = self.scene.obstacles.len();
         let asked = self.scene.clearance_of(&obstacle);
         let clearance = Clearance { asked, style: self.scene.corner_style };
-        let added = self.terrain.push(owned(&obstacle.shape, true), clearance, budget);
+        let added = self.terrain.push(&obstacle.shape, clearance, budget);
         added.map_err(EditRefusal::Interrupted)?;
         self.places.insert(obstacle.id.clone(), place);
         self.vertex_count += obstacle.shape.vertex_count();
@@ -170,7 +166,7 @@ impl PreparedScene {
     pub fn triangulate(&mut self, budget: &Budget) -> Result<(), Interrupt> {
         self.tidy(budget);
         let Self { scene, terrain, mesh, .. } = self;
-        let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
+        let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
         mesh.make(terrain, &barriers, budget)
     }
 
@@ -190,7 +186,7 @@ impl PreparedScene {
         }
         self.tidy(budget);
         let Self { scene, terrain, sights, room, mesh, .. } = self;
-        let barriers = Barriers::view(scene, &terrain.parts, Some((&terrain.there, &terrain.nearby)));
+        let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
         // A query that is stopped meanwhile is stopped by its own search, too.
         let _ = mesh.note_query(terrain, &barriers, budget);
         let mut along = AlongSights { terrain, mesh: mesh.get(), sights, room };
@@ -235,12 +231,12 @@ impl PreparedScene {
     }
 
     pub(crate) fn barriers(&self) -> Barriers<'_> {
-        Barriers::view(&self.scene, &self.terrain.parts, Some((&self.terrain.there, &self.terrain.nearby)))
+        Barriers::view(
+            &self.scene,
+            &self.terrain.obstruction,
+            Some((&self.terrain.there, &self.terrain.nearby)),
+        )
     }
-}
-
-fn owned(shape: &Polygon, inside: bool) -> Rings<'static> {
-    material_left(shape, inside).into_iter().map(|ring| Cow::Owned(ring.into_owned())).collect()
 }
 
 /// The shortest route along what can be seen.
@@ -278,7 +274,7 @@ impl ShortestRoute for AlongSights<'_> {
 
 /// The horizon round a point, from what stands nearest to it.
 pub(super) fn horizon(terrain: &Terrain, end: &End) -> Horizon {
-    let grid = terrain.parts.whole.grid();
+    let grid = terrain.obstruction.grid();
     let aside = end.places.iter().map(|place| (place - end.point).norm()).fold(0.0, f64::max);
     let mut horizon = Horizon::new(end.point, terrain.usual_radius + aside);
     let mut runs = Vec::new();
@@ -292,8 +288,8 @@ pub(super) fn horizon(terrain: &Terrain, end: &End) -> Horizon {
     runs.sort_unstable();
     runs.dedup();
     for run in runs {
-        if terrain.there.has(terrain.parts.whole.owner_of_run(run)) {
-            horizon.add_chain(terrain.parts.whole.chain_of_run(run));
+        if terrain.there.has(terrain.obstruction.owner_of_run(run)) {
+            horizon.add_chain(terrain.obstruction.chain_of_run(run));
         }
     }
     horizon

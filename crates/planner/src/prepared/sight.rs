@@ -202,7 +202,7 @@ impl Look<'_> {
         let middle = left_of(self.circle.direction_at((from + to) / 2.0)) * self.side.sign();
         let half_width = self.circle.plan_radius;
         let mut occlusion = Occlusion::new(self.circle.center, middle, half_width);
-        let grid = self.terrain.parts.whole.grid();
+        let grid = self.terrain.obstruction.grid();
         let layer = &self.terrain.layer;
         for &feature in layer.outside() {
             self.look_at(feature, &ahead, &occlusion, half_width, looked);
@@ -228,8 +228,8 @@ impl Look<'_> {
                 }
                 for run in grid.items(column, row) {
                     let is_new = Looked::is_first(&mut looked.runs, looked.now, run);
-                    if is_new && self.terrain.there.has(self.terrain.parts.whole.owner_of_run(run)) {
-                        occlusion.add_chain(self.terrain.parts.whole.chain_of_run(run));
+                    if is_new && self.terrain.there.has(self.terrain.obstruction.owner_of_run(run)) {
+                        occlusion.add_chain(self.terrain.obstruction.chain_of_run(run));
                     }
                 }
             });

@@ -1,12 +1,12 @@
 //! What a prepared scene keeps of its barriers: everything that blocks a move, every feature, and where both lie.
 
 use super::nearby::Nearby;
-use crate::barrier::{Blocker, Clearance, Feature, Grid, Obstruction, Outline};
-use crate::barriers::{Barriers, Marks, Parts, Rings, WORK_AREA};
+use crate::barrier::{Clearance, Feature, Grid, Obstruction, ObstructionParts, Outline};
+use crate::barriers::{Marks, WORK_AREA, outlines};
 use crate::search::{Circles, Ground, Sector, Stretches, is_same_circle};
 use std::cell::{Cell, OnceCell};
 use std::ops::{ControlFlow, Range};
-use traverse_geometry::{Arc, Bounds, Point, Scene, Segment, Vector, unit};
+use traverse_geometry::{Arc, Bounds, Point, Polygon, Scene, Segment, Vector, unit};
 use traverse_solve::{Budget, Interrupt};
 
 /// The budget is looked at once for so many features.
@@ -17,8 +17,8 @@ const SMALL_CIRCLE: f64 = 0.25;
 
 /// Blockers and features of all owners, also of those that are gone.
 pub(super) struct Terrain {
-    /// The rings and blockers.
-    pub(super) parts: Parts<'static>,
+    /// What blocks a move; every blocker is kept.
+    pub(super) obstruction: Obstruction<'static>,
     pub(super) features: Vec<Feature>,
     /// Features by the cells that their arcs lie in; the same cells as the obstruction's.
     pub(super) layer: Grid,
@@ -69,7 +69,7 @@ enum Whole {
 }
 
 /// What an owner's barrier consists of.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Owned {
     pub(super) features: Range<usize>,
     pub(super) blockers: Vec<Range<usize>>,
@@ -78,32 +78,30 @@ pub(super) struct Owned {
 }
 
 impl Terrain {
-    /// The terrain of a scene's rings.
+    /// The terrain of a scene.
     ///
     /// # Errors
     /// The budget ended.
-    pub(super) fn new(scene: &Scene, mut parts: Parts<'static>, budget: &Budget) -> Result<Self, Interrupt> {
-        let barriers = Barriers::view(scene, &parts, None);
-        let (mut blockers, mut ends) = (Vec::with_capacity(scene.vertex_count()), Vec::new());
+    pub(super) fn new(scene: &Scene, budget: &Budget) -> Result<Self, Interrupt> {
+        let mut parts = ObstructionParts::with_capacity(scene.vertex_count(), 0);
         let mut features = Vec::new();
         let mut owned = Vec::new();
-        for owner in std::iter::once(WORK_AREA).chain(0..parts.obstacles.len()) {
+        for owner in std::iter::once(WORK_AREA).chain(0..scene.obstacles.len()) {
             budget.check(0)?;
             let first = features.len();
             let mut chains = Vec::new();
-            for outline in barriers.outlines(owner) {
-                let begin = blockers.len();
-                outline.add_blockers(&mut blockers);
+            for outline in outlines(scene, owner) {
                 outline.add_features(&mut features, budget)?;
-                ends.push(blockers.len());
-                chains.push(begin..blockers.len());
+                chains.push(parts.keep(&outline));
             }
-            let bounds = bounds_of(chains.iter().flat_map(|chain| &blockers[chain.clone()]));
-            owned.push(Owned { features: first..features.len(), blockers: chains, bounds });
+            owned.push(Owned { features: first..features.len(), blockers: chains, bounds: None });
         }
-        parts.whole = Obstruction::new(blockers, &ends, budget)?;
-        let whole = &parts.whole;
-        let layer = whole.grid().same_cells();
+        let obstruction = Obstruction::new(parts, budget)?;
+        for owned in &mut owned {
+            budget.check(0)?;
+            owned.bounds = bounds_of(&obstruction, &owned.blockers);
+        }
+        let layer = obstruction.grid().same_cells();
         let there = Marks::of(owned.len() - 1, true);
         let count = features.len();
         let (sectors, circles, free) =
@@ -119,7 +117,7 @@ impl Terrain {
         let spots = Vec::with_capacity(count);
         let (whole, joined) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut terrain = Self {
-            parts,
+            obstruction,
             features,
             layer,
             sectors,
@@ -153,30 +151,23 @@ impl Terrain {
     /// The budget ended; nothing is added.
     pub(super) fn push(
         &mut self,
-        rings: Rings<'static>,
+        shape: &Polygon,
         clearance: Clearance,
         budget: &Budget,
     ) -> Result<(), Interrupt> {
         let first = self.features.len();
-        let owner = self.parts.obstacles.len();
-        for ring in &rings {
-            let outline = Outline { ring, clearance, owner };
+        // The work area's place is the first.
+        let owner = self.owned.len() - 1;
+        let outlines = || Outline::of(shape, true, clearance, owner);
+        for outline in outlines() {
             if let Err(interrupt) = outline.add_features(&mut self.features, budget) {
                 self.features.truncate(first);
                 return Err(interrupt);
             }
         }
-        let mut owned = Owned::default();
-        let mut chain = Vec::new();
-        for ring in &rings {
-            chain.clear();
-            Outline { ring, clearance, owner }.add_blockers(&mut chain);
-            owned.blockers.push(self.parts.whole.push_chain(&chain));
-        }
-        self.parts.obstacles.push(rings);
-        owned.features = first..self.features.len();
-        owned.bounds =
-            bounds_of(owned.blockers.iter().flat_map(|chain| self.parts.whole.blockers(chain.clone())));
+        let blockers: Vec<_> = outlines().map(|outline| self.obstruction.push(&outline)).collect();
+        let bounds = bounds_of(&self.obstruction, &blockers);
+        let owned = Owned { features: first..self.features.len(), blockers, bounds };
         for feature in owned.features.clone() {
             self.place(feature);
         }
@@ -249,7 +240,7 @@ impl Terrain {
             return true;
         }
         let mut free = true;
-        self.parts.whole.blocking(&Segment::new(from, to), |blocker| {
+        self.obstruction.blocking(&Segment::new(from, to), |blocker| {
             if !self.there.has(blocker.owner) {
                 return ControlFlow::Continue(());
             }
@@ -264,9 +255,10 @@ impl Terrain {
         let line = traverse_geometry::Edge::Segment(Segment::new(from, to));
         let owned = self.owned(owner);
         owned.bounds.is_some_and(|bounds| bounds.meets(&Bounds::of([from, to])))
-            && owned.blockers.iter().any(|chain| {
-                self.parts.whole.blockers(chain.clone()).iter().any(|blocker| blocker.blocks(&line))
-            })
+            && owned
+                .blockers
+                .iter()
+                .any(|chain| self.obstruction.kept(chain.clone()).iter().any(|blocker| blocker.blocks(&line)))
     }
 
     /// Puts a feature where it can be found.
@@ -300,7 +292,7 @@ impl Terrain {
         if feature.plan_radius == 0.0 {
             return Stretches::all(feature);
         }
-        let blocked = self.parts.whole.blocked_offsets(feature);
+        let blocked = self.obstruction.blocked_offsets(feature);
         Stretches::of(feature, blocked.filter(|&(_, _, owner)| self.there.has(owner)))
     }
 
@@ -341,7 +333,9 @@ impl Ground for Terrain {
     }
 }
 
-fn bounds_of<'a>(blockers: impl Iterator<Item = &'a Blocker>) -> Option<Bounds> {
+/// What the blockers of some chains reach.
+fn bounds_of(obstruction: &Obstruction<'_>, chains: &[Range<usize>]) -> Option<Bounds> {
+    let blockers = chains.iter().flat_map(|chain| obstruction.kept(chain.clone()));
     let bounds = blockers
         .fold(Bounds::EMPTY, |bounds, blocker| bounds.union(blocker.edge.bounds().grown(blocker.limit)));
     (!bounds.is_empty()).then_some(bounds)

@@ -116,6 +116,7 @@ fn around(features: &[Feature]) -> Sector {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::barrier::OrientedRing;
     use rand::RngExt;
     use traverse_geometry::{Point, Ring};
     use traverse_solve::{Budget, Seed};
@@ -140,7 +141,8 @@ mod tests {
                 let asked = [0.0, 2.0][owner % 2];
                 let clearance = crate::barrier::Clearance { asked, style };
                 let first = features.len();
-                let outline = crate::barrier::Outline { ring: &ring, clearance, owner };
+                let outline =
+                    crate::barrier::Outline { ring: OrientedRing::new(&ring, true), clearance, owner };
                 outline.add_features(&mut features, &Budget::unlimited()).expect("no limit");
                 bundles.push(&features, first..features.len(), &Budget::unlimited()).expect("no limit");
             }

@@ -45,7 +45,7 @@ fn awkward_shape(random: &mut impl RngExt, origin: Vector) -> Polygon {
     match random.random_range(0..6) {
         // Cells of a grid: they touch in edges and corners.
         0 | 1 => {
-            let (width, height) = (cell(random).max(10.0).min(30.0), 10.0);
+            let (width, height) = (cell(random).clamp(10.0, 30.0), 10.0);
             at(&[(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
         }
         // A frame with a hole.
