@@ -12,7 +12,6 @@
 //! Cost: one look at the target for each label that is looked into, and a few nanoseconds for each link that goes on from
 //! it.
 
-use super::best::{Best, TURN_TOLERANCE};
 use super::cones::{ConeRoom, Cones};
 use super::growth::Growth;
 use super::horizon::Horizon;
@@ -22,7 +21,7 @@ use super::scene::horizon;
 use super::sights::Sights;
 use super::terrain::Terrain;
 use crate::barrier::{Feature, Side};
-use crate::search::{End, Ground, LABEL_LIMIT, Route, Sector, Stop, Tangent};
+use crate::search::{Best, End, Ground, LABEL_LIMIT, Route, Sector, Stop, TURN_TOLERANCE, Tangent};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

@@ -8,7 +8,7 @@ use super::scene::{PreparedScene, horizon};
 use super::sights::Sights;
 use super::terrain::Terrain;
 use crate::barrier::Side;
-use crate::search::{End, Goal, Ground, Moves, Room, Sector, Sighted, Spread, Tangent};
+use crate::search::{Best, End, Goal, Ground, Moves, Room, Sector, Sighted, Spread, Tangent};
 use traverse_geometry::Point;
 use traverse_solve::{Budget, Interrupt};
 
@@ -19,11 +19,12 @@ const FEATURES_BETWEEN_CHECKS: usize = 1024;
 pub(crate) struct Fan<'a> {
     scene: &'a mut PreparedScene,
     room: Room,
+    idle: Best,
 }
 
 impl<'a> Fan<'a> {
     pub(crate) fn new(scene: &'a mut PreparedScene) -> Self {
-        Self { scene, room: Room::default() }
+        Self { scene, room: Room::default(), idle: Best::default() }
     }
 
     /// Corners and arcs that a tangent from an end leads to with nothing in its way. Cost: about linear in the scene.
@@ -69,7 +70,9 @@ impl<'a> Fan<'a> {
     ) -> Result<Vec<f64>, Interrupt> {
         let PreparedScene { terrain, sights, .. } = &mut *self.scene;
         let moves = AlongLinks { terrain, sights };
-        let mut spread = Spread::new(moves, start, sighted, goals, std::mem::take(&mut self.room));
+        self.idle.begin(moves.terrain.features.len());
+        let room = (std::mem::take(&mut self.room), &mut self.idle);
+        let mut spread = Spread::new(moves, start, sighted, goals, room);
         let costs = spread.run(budget, steps);
         self.room = spread.into_room();
         costs
@@ -104,6 +107,10 @@ impl Moves for AlongLinks<'_> {
 
     fn links(&self, feature: u32, side: Side) -> &[Link] {
         self.sights.links(feature, side)
+    }
+
+    fn is_whole(&self, feature: u32) -> bool {
+        self.terrain.is_whole(feature)
     }
 
     fn is_free(&self, from: Point, to: Point) -> bool {

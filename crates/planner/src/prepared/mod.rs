@@ -8,7 +8,6 @@
 //! links by what each sees (`fan`).
 
 mod along_links;
-mod best;
 mod cones;
 mod edit;
 mod fan;

@@ -5,7 +5,7 @@
 //! Barriers are met as in [`Search`], whose tree it is. Cost: as of a search that expands the same labels.
 
 use super::label::{Label, Place};
-use super::shortest::Search;
+use super::shortest::{LABEL_LIMIT, Search};
 use super::stance::From;
 use super::{End, Known, Way};
 use crate::measure::{Length, Measure};
@@ -119,6 +119,9 @@ impl<'a, M: Measure> Fan<'a, M> {
         let Some((_, index)) = self.open.pop() else { return Ok(None) };
         let label = self.labels[index as usize];
         budget.check(*steps)?;
+        if self.labels.len() > LABEL_LIMIT {
+            return Err(Interrupt::Memory);
+        }
         let search = &mut self.search;
         if search.tree.is_served(&search.known, &label) || !search.is_free(&label, budget)? {
             return Ok(None);

@@ -6,6 +6,7 @@
 //! that a later, cheaper one has passed, and arcs blocked by other barriers split a circle.
 
 mod alternatives;
+mod best;
 mod bundles;
 mod circles;
 mod departure;
@@ -27,6 +28,7 @@ mod trail;
 mod tree;
 
 pub(crate) use alternatives::{Between, locally_shortest};
+pub(crate) use best::{Best, TURN_TOLERANCE};
 pub(crate) use circles::{Circles, is_same_circle};
 pub(crate) use end::End;
 #[cfg(test)]

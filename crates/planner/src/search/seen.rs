@@ -21,6 +21,9 @@ pub(crate) trait Moves {
     /// What can be seen from there, once that was worked out.
     fn links(&self, feature: u32, side: Side) -> &[Link];
 
+    /// Whether all of a feature's range is free.
+    fn is_whole(&self, feature: u32) -> bool;
+
     /// Whether nothing blocks a straight move.
     fn is_free(&self, from: Point, to: Point) -> bool;
 }

@@ -1,5 +1,6 @@
 //! Labels that were looked into, and what they make idle.
 
+use super::TURN_TOLERANCE;
 use crate::barrier::Side;
 
 /// Costs that differ by less than this are equal, millimetres or seconds: rounding, far below what is promised.
@@ -7,9 +8,6 @@ const COST_TOLERANCE: f64 = 1e-12;
 
 /// Offsets that differ by less than this may be the same, radians: above every rounding.
 const OFFSET_TOLERANCE: f64 = 1e-6;
-
-/// Turned back by less than this is not turned at all, radians: rounding of what goes over from circle to circle and back.
-const TURN_TOLERANCE: f64 = 1e-12;
 
 /// Where on which feature, as far as labels can be compared: on one side, within one free stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

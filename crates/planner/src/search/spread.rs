@@ -4,18 +4,16 @@
 //! What start and targets see is given. A target's tangents are looked at where their features are looked into; the
 //! way to a target ends when it is the cheapest of all that are open.
 //!
-//! Exact for the same reason as the search for one target. Few labels are opened: one that a label which is open already,
-//! on the same free stretch, can do for no more is left out.
+//! Exact for the same reason as the search for one target: labels are left out where [`Best`] says that they are idle.
 //!
 //! Cost: every corner and arc that is nearer than the farthest target, with its links.
 
 use super::label::{Label, Place, Step};
 use super::route::route;
-use super::settled::Lane;
 use super::shortest::LABEL_LIMIT;
 use super::stance::From;
-use super::tree::{Room, Tree, lane};
-use super::{End, Ground, Moves};
+use super::tree::{Room, Tree};
+use super::{Best, End, Ground, Moves};
 use crate::barrier::Side;
 use crate::measure::{Length, Measure};
 use crate::trace::trace;
@@ -46,8 +44,7 @@ pub(crate) struct Spread<'a, M> {
     goals: &'a [Goal<'a>],
     /// Goals and their places by feature and side.
     seen_from: FxHashMap<(u32, Side), Vec<(u32, u32)>>,
-    /// Per feature the best open label on either side.
-    opened: FxHashMap<(u32, Side), Label>,
+    idle: &'a mut Best,
     /// What reaching each goal costs so far.
     best: Vec<f64>,
     /// Labels of goals: the tree's name for each is its place in this list.
@@ -61,7 +58,7 @@ impl<'a, M: Moves> Spread<'a, M> {
         start: &'a End,
         sighted: &'a [Sighted],
         goals: &'a [Goal<'a>],
-        room: Room,
+        (room, idle): (Room, &'a mut Best),
     ) -> Self {
         let mut seen_from: FxHashMap<(u32, Side), Vec<(u32, u32)>> = FxHashMap::default();
         for (goal, Goal { sighted, .. }) in goals.iter().enumerate() {
@@ -80,7 +77,7 @@ impl<'a, M: Moves> Spread<'a, M> {
             sighted,
             goals,
             seen_from,
-            opened: FxHashMap::default(),
+            idle,
             best: vec![f64::INFINITY; goals.len()],
             reached: Vec::new(),
         }
@@ -117,7 +114,7 @@ impl<'a, M: Moves> Spread<'a, M> {
                 }
                 continue;
             }
-            if self.tree.is_served(self.moves.ground(), &label) {
+            if self.is_idle(&label) || self.tree.is_served(self.moves.ground(), &label) {
                 continue;
             }
             let Some(stance) = self.tree.stand(self.moves.ground(), &label) else { continue };
@@ -179,17 +176,24 @@ impl<'a, M: Moves> Spread<'a, M> {
                 parent: stance,
                 step: Step::Link,
             };
-            let ground = self.moves.ground();
-            let Some(lane) = lane(ground, &label) else { continue };
-            let onto = (lane.feature, lane.side);
-            if self.opened.get(&onto).is_some_and(|open| does(ground, open, lane, &label)) {
+            let onto = link.feature();
+            let radius = self.moves.ground().feature(onto).price_radius;
+            if self.moves.is_whole(onto)
+                && !self.idle.improve(onto, link.side(), radius, label.offset, label.cost)
+            {
                 continue;
             }
-            self.opened.insert(onto, label);
             // Where it lies does not matter: nothing is estimated.
-            self.tree.push(ground, label, departure.circle.center);
+            self.tree.push(self.moves.ground(), label, departure.circle.center);
         }
         Ok(())
+    }
+
+    /// Whether a way that is known makes the label idle.
+    fn is_idle(&self, label: &Label) -> bool {
+        let Place::Feature(feature, _) = label.place else { return false };
+        let radius = self.moves.ground().feature(feature).price_radius;
+        self.moves.is_whole(feature) && self.idle.is_dearer(feature, radius, label.offset, label.cost)
     }
 
     /// Takes note of a straight way from a stance to a goal, if it leads there for less than is known.
@@ -204,11 +208,4 @@ impl<'a, M: Moves> Spread<'a, M> {
             self.tree.add(Label { place: Place::Target(reached), ..label }, end.point);
         }
     }
-}
-
-/// Whether an open label does all that `label`, which is on `at`, can do, for no more.
-fn does(ground: &impl Ground, open: &Label, at: Lane, label: &Label) -> bool {
-    let radius = ground.feature(at.feature).price_radius;
-    let turn = (label.offset - open.offset) * at.side.sign();
-    turn >= 0.0 && open.cost + radius * turn <= label.cost && lane(ground, open) == Some(at)
 }

@@ -11,7 +11,7 @@ use crate::barrier::Side;
 const COST_TOLERANCE_MM: f64 = 1e-12;
 
 /// Turned back by less than this is not turned at all, radians: rounding of what goes over from circle to circle and back.
-pub(super) const TURN_TOLERANCE: f64 = 1e-12;
+pub(crate) const TURN_TOLERANCE: f64 = 1e-12;
 
 /// What is dearer by more than this is idle, millimetres: above what planning at one contact tolerance and pricing at 0 can
 /// set apart.
@@ -29,14 +29,14 @@ struct Known {
 
 /// The cheapest way known of touching each feature; nothing is cleared between searches.
 #[derive(Default)]
-pub(super) struct Best {
+pub(crate) struct Best {
     search: u32,
     known: Vec<Known>,
 }
 
 impl Best {
     /// Forgets all, for a search among so many features.
-    pub(super) fn begin(&mut self, feature_count: usize) {
+    pub(crate) fn begin(&mut self, feature_count: usize) {
         self.search = self.search.wrapping_add(1);
         if self.search == 0 {
             self.known.clear();
@@ -47,13 +47,13 @@ impl Best {
     }
 
     /// Whether a way that is at `offset` for `cost` at least is idle: clearly dearer than one that is known.
-    pub(super) fn is_dearer(&self, feature: u32, radius: f64, offset: f64, cost: f64) -> bool {
+    pub(crate) fn is_dearer(&self, feature: u32, radius: f64, offset: f64, cost: f64) -> bool {
         let known = &self.known[feature as usize];
         known.search == self.search && known.cost + radius * (offset - known.offset).abs() < cost - DEARER_MM
     }
 
     /// Takes in a free way, unless one that is known serves. `radius` is the priced one.
-    pub(super) fn improve(&mut self, feature: u32, side: Side, radius: f64, offset: f64, cost: f64) -> bool {
+    pub(crate) fn improve(&mut self, feature: u32, side: Side, radius: f64, offset: f64, cost: f64) -> bool {
         let search = self.search;
         let known = &mut self.known[feature as usize];
         if known.search == search {
