@@ -1,4 +1,5 @@
-// Why a call failed: a reason for programs, and every finding with its field. docs/errors.md explains each reason.
+// Why a call, or a step of a session, was refused: a reason for programs, and every finding with its field.
+// docs/errors.md explains each reason.
 #pragma once
 
 #include <grpcpp/grpcpp.h>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "error_details.pb.h"
+#include "traverse/v1/solve.pb.h"
 
 namespace traverse_client {
 
@@ -19,7 +21,7 @@ struct Finding {
   std::string reason;
 };
 
-// What a status says.
+// What a status, or a session's problem, says.
 struct Refusal {
   std::string reason;  // UPPER_SNAKE_CASE; empty when something else than Traverse answered
   std::string message;
@@ -57,6 +59,16 @@ inline Refusal refusal(const grpc::Status& status) {
     for (const auto& violation : request.field_violations())
       read.findings.push_back({violation.field(), violation.description(), violation.reason()});
   }
+  return read;
+}
+
+// Of one step of a session, which goes on.
+inline Refusal refusal(const traverse::v1::Problem& problem) {
+  Refusal read;
+  read.reason = problem.reason();
+  read.message = problem.message();
+  for (const auto& finding : problem.findings())
+    read.findings.push_back({finding.field(), finding.message(), finding.reason()});
   return read;
 }
 
