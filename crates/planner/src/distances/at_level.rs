@@ -1,10 +1,12 @@
-//! Distances in the plane among the barriers of one level: one search from each end of the shorter list.
+//! Distances in the plane among the barriers of one level: from each end of the shorter list one search to each end of the
+//! other, or one in all directions, whichever takes less.
 
 use super::at_clearance::Clear;
-use crate::Refusal;
-use crate::prepared::{Fan, PreparedScene};
+use super::pace::Pace;
+use crate::prepared::{Fan, FanRoom, PreparedScene};
 use crate::search::{End, Goal, Sighted};
 use crate::standing::stand;
+use crate::{Refusal, Stats};
 use std::collections::BTreeSet;
 use traverse_geometry::Scene;
 use traverse_solve::{Budget, Interrupt};
@@ -12,8 +14,17 @@ use traverse_solve::{Budget, Interrupt};
 /// Links that are kept at most: 128 MB. One search from every end comes by nearly all there are.
 const LINKS_KEPT: usize = 4_000_000;
 
-/// Where ends stand and what they see; none for those that are not asked for, and for those that are shut in.
-type Ends = Vec<Option<(End, Vec<Sighted>)>>;
+/// Corners and arcs that ends see, kept at most in all: about 100 MB.
+const SIGHTED_LIMIT: usize = 8_000_000;
+
+/// Where an end stands, and what it sees once that is asked for.
+struct Seen {
+    end: End,
+    sighted: Option<Vec<Sighted>>,
+}
+
+/// None for ends that are not asked for, and for those that are shut in.
+type Ends = Vec<Option<Seen>>;
 
 /// What is to be worked out at one level.
 pub(super) struct AtLevel<'a> {
@@ -47,43 +58,82 @@ impl AtLevel<'_> {
         };
         pairs.sort_unstable();
         let (near, far) = if by_columns { (to, from) } else { (from, to) };
-        let near = seen_ends(&mut prepared, near, pairs.iter().map(|pair| pair.0), budget)?;
-        let far = seen_ends(&mut prepared, far, pairs.iter().map(|pair| pair.1), budget)?;
-        let mut fan = Fan::new(&mut prepared);
+        let mut near = ends_of(&mut prepared, near, pairs.iter().map(|pair| pair.0), budget)?;
+        let mut far = ends_of(&mut prepared, far, pairs.iter().map(|pair| pair.1), budget)?;
+        let (mut pace, mut room, mut sighted_count) = (Pace::default(), FanRoom::default(), 0);
         for same_start in pairs.chunk_by(|a, b| a.0 == b.0) {
-            let Some((start, sighted)) = &near[same_start[0].0] else { continue };
-            let goals: Vec<(usize, Goal<'_>)> = (same_start.iter())
-                .filter_map(|&(_, at)| {
-                    let (end, sighted) = far[at].as_ref()?;
-                    Some((at, Goal { end, sighted }))
-                })
-                .collect();
-            let ends: Vec<Goal<'_>> = goals.iter().map(|&(_, goal)| goal).collect();
-            let costs = fan.costs(start, sighted, &ends, budget, steps)?;
-            for ((at, _), cost) in goals.into_iter().zip(costs) {
-                let (row, column) = if by_columns { (at, same_start[0].0) } else { (same_start[0].0, at) };
+            let from = same_start[0].0;
+            let Some(start) = &mut near[from] else { continue };
+            let mut tell = |at: usize, cost: f64| {
+                let (row, column) = if by_columns { (at, from) } else { (from, at) };
                 found(row, column, cost);
+            };
+            let mut goals: Vec<usize> =
+                same_start.iter().map(|&(_, at)| at).filter(|&at| far[at].is_some()).collect();
+            while let Some(&at) = goals.last() {
+                if pace.is_spread_worth_it(goals.len(), prepared.feature_count()) {
+                    let mut fan = Fan::new(&mut prepared, &mut room);
+                    let all = std::iter::once(&mut *start);
+                    for seen in all.chain(far.iter_mut().flatten()) {
+                        sighted_count += seen.look(&fan, budget)?;
+                        if sighted_count > SIGHTED_LIMIT {
+                            return Err(Interrupt::Memory);
+                        }
+                    }
+                    let ends: Vec<Goal<'_>> =
+                        goals.iter().filter_map(|&at| far[at].as_ref()).map(Seen::goal).collect();
+                    let Goal { end, sighted } = start.goal();
+                    let costs = fan.costs(end, sighted, &ends, budget, steps)?;
+                    goals.drain(..).zip(costs).for_each(|(at, cost)| tell(at, cost));
+                    break;
+                }
+                goals.pop();
+                let Some(target) = &far[at] else { continue };
+                let mut stats = Stats { expanded_nodes: *steps, ..Stats::default() };
+                let cost = prepared.cost_between([&start.end, &target.end], budget, &mut stats)?;
+                pace.note(stats.expanded_nodes - *steps);
+                *steps = stats.expanded_nodes;
+                tell(at, cost);
             }
         }
         Ok(())
     }
 }
 
-/// Of the ends that are `wanted` where they stand and what they see; none for others, and where an end is shut in.
-fn seen_ends(
+impl Seen {
+    /// Makes sure that what the end sees is known; answers how much was found out.
+    ///
+    /// # Errors
+    /// The budget ended.
+    fn look(&mut self, fan: &Fan<'_>, budget: &Budget) -> Result<usize, Interrupt> {
+        if self.sighted.is_some() {
+            return Ok(0);
+        }
+        let sighted = fan.sighted(&self.end, budget)?;
+        let count = sighted.len();
+        self.sighted = Some(sighted);
+        Ok(count)
+    }
+
+    fn goal(&self) -> Goal<'_> {
+        Goal { end: &self.end, sighted: self.sighted.as_deref().unwrap_or_default() }
+    }
+}
+
+/// Where the ends stand that are `wanted`; none for others, and where an end is shut in.
+fn ends_of(
     prepared: &mut PreparedScene,
     ends: &[Result<Clear, Vec<Refusal>>],
     wanted: impl Iterator<Item = usize>,
     budget: &Budget,
 ) -> Result<Ends, Interrupt> {
     let wanted: BTreeSet<usize> = wanted.collect();
-    let mut seen: Ends = vec![None; ends.len()];
+    let mut seen: Ends = ends.iter().map(|_| None).collect();
     for at in wanted {
         let Ok(clear) = &ends[at] else { continue };
         let end = stand(&prepared.barriers(), &BTreeSet::new(), clear.point, budget)?;
         if !end.places.is_empty() {
-            let sighted = Fan::new(prepared).sighted(&end, budget)?;
-            seen[at] = Some((end, sighted));
+            seen[at] = Some(Seen { end, sighted: None });
         }
     }
     Ok(seen)

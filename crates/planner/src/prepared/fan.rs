@@ -18,13 +18,19 @@ const FEATURES_BETWEEN_CHECKS: usize = 1024;
 /// A prepared scene, seen from many ends.
 pub(crate) struct Fan<'a> {
     scene: &'a mut PreparedScene,
-    room: Room,
+    room: &'a mut FanRoom,
+}
+
+/// The memory of a fan, to be used again.
+#[derive(Default)]
+pub(crate) struct FanRoom {
+    tree: Room,
     idle: Best,
 }
 
 impl<'a> Fan<'a> {
-    pub(crate) fn new(scene: &'a mut PreparedScene) -> Self {
-        Self { scene, room: Room::default(), idle: Best::default() }
+    pub(crate) fn new(scene: &'a mut PreparedScene, room: &'a mut FanRoom) -> Self {
+        Self { scene, room }
     }
 
     /// Corners and arcs that a tangent from an end leads to with nothing in its way. Cost: about linear in the scene.
@@ -70,11 +76,11 @@ impl<'a> Fan<'a> {
     ) -> Result<Vec<f64>, Interrupt> {
         let PreparedScene { terrain, sights, .. } = &mut *self.scene;
         let moves = AlongLinks { terrain, sights };
-        self.idle.begin(moves.terrain.features.len());
-        let room = (std::mem::take(&mut self.room), &mut self.idle);
-        let mut spread = Spread::new(moves, start, sighted, goals, room);
+        let FanRoom { tree, idle } = &mut *self.room;
+        idle.begin(moves.terrain.features.len());
+        let mut spread = Spread::new(moves, start, sighted, goals, (std::mem::take(tree), idle));
         let costs = spread.run(budget, steps);
-        self.room = spread.into_room();
+        *tree = spread.into_room();
         costs
     }
 }

@@ -27,7 +27,7 @@ mod terrain;
 mod triangulating;
 
 pub use edit::SceneEdit;
-pub(crate) use fan::Fan;
+pub(crate) use fan::{Fan, FanRoom};
 pub(crate) use link::Link;
 pub(crate) use nearby::Nearby;
 pub use scene::{EditRefusal, PreparedScene};

@@ -11,11 +11,12 @@ use crate::barriers::Barriers;
 use crate::rapid_move::{Asked, plan_among, with_feasible_clearance};
 use crate::search::{End, Route};
 use crate::shortest_route::{MeetingBarriers, ShortestRoute};
+use crate::trace::trace;
 use crate::{Algorithm, Answer, RapidMove, Refusal, Stats};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 use traverse_geometry::{Obstacle, Scene};
-use traverse_solve::{Budget, Interrupt, Observer};
+use traverse_solve::{Budget, Interrupt, Observer, Silent};
 
 /// The start's horizon is made of what stands within so many cells.
 const HORIZON_CELLS: i64 = 3;
@@ -187,8 +188,7 @@ impl PreparedScene {
         self.tidy(budget);
         let Self { scene, terrain, sights, room, mesh, .. } = self;
         let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
-        // A query that is stopped meanwhile is stopped by its own search, too.
-        let _ = mesh.note_query(terrain, &barriers, budget);
+        mesh.note_query(terrain, &barriers, budget);
         let mut along = AlongSights { terrain, mesh: mesh.get(), sights, room };
         let mut stats = Stats::default();
         let asked = Asked { barriers: &barriers, query, is_last: true, budget };
@@ -198,6 +198,30 @@ impl PreparedScene {
         }
         let answer = with_feasible_clearance(answer, &self.scene_now(), query, true, budget, &mut stats);
         Ok((answer, stats))
+    }
+
+    /// What the shortest way between two ends costs, millimetres; infinity where there is none.
+    ///
+    /// # Errors
+    /// The budget ended.
+    pub(crate) fn cost_between(
+        &mut self,
+        ends: [&End; 2],
+        budget: &Budget,
+        stats: &mut Stats,
+    ) -> Result<f64, Interrupt> {
+        let Self { scene, terrain, sights, room, mesh, .. } = self;
+        let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
+        mesh.note_query(terrain, &barriers, budget);
+        let mut along = AlongSights { terrain, mesh: mesh.get(), sights, room };
+        let (found, _) = along.shortest(&barriers, &BTreeSet::new(), ends, stats, budget, &mut Silent);
+        let route = found?;
+        Ok(route.map_or(f64::INFINITY, |route| trace(&route, ends[0].point, ends[1].point).length()))
+    }
+
+    /// How many corners and arcs barriers have, those that are gone included.
+    pub(crate) fn feature_count(&self) -> usize {
+        self.terrain.features.len()
     }
 
     /// The scene as it is now.
