@@ -21,6 +21,14 @@ const KEEP_ALIVE: (Duration, Duration) = (Duration::from_secs(30), Duration::fro
 /// HTTP/2: calls at once on one connection. The queue bounds them all.
 const STREAMS: u32 = 256;
 
+/// What a call may send ahead of what is read of it, bytes.
+const STREAM_WINDOW: u32 = 256 * 1024;
+
+/// The same for all calls of a connection, bytes. A connection on which small frames pile up is closed by the HTTP/2 library
+/// (256 bytes less each one's own, summed over what is not read yet, beyond half of this window): a session's steps, some
+/// 50 bytes each, must fit many times.
+const CONNECTION_WINDOW: u32 = 8 * 1024 * 1024;
+
 /// Largest head of a request, bytes: over HTTP/1.1 all of it, over HTTP/2 its header list. Bodies are bounded elsewhere:
 /// over HTTP/1.1 this is also how much of one is read at once.
 const HEADER_BYTES: u32 = 16 << 10;
@@ -111,6 +119,8 @@ async fn serve_connection(stream: TcpStream, service: HttpService, leave: Cancel
         .keep_alive_interval(KEEP_ALIVE.0)
         .keep_alive_timeout(KEEP_ALIVE.1)
         .max_concurrent_streams(STREAMS)
+        .initial_stream_window_size(STREAM_WINDOW)
+        .initial_connection_window_size(CONNECTION_WINDOW)
         .max_header_list_size(HEADER_BYTES);
     let mut connection =
         pin!(builder.serve_connection(TokioIo::new(stream), TowerToHyperService::new(service)));

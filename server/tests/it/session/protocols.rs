@@ -175,3 +175,17 @@ async fn lines_of_json_in_and_out_in_process_and_on_a_server() {
     }
     drop(remote);
 }
+
+/// Every step in a frame of its own, as fast as they go: HTTP/2 libraries take many small frames for an attack.
+#[tokio::test]
+async fn thousands_of_small_steps_are_all_answered() {
+    const QUERIES: usize = 30_000;
+    let server = Running::start().await;
+    let remote = Caller::remote(&format!("http://{}", server.address)).expect("an address");
+    let query = r#"{"query":{"start":{"x_mm":-5,"y_mm":2},"target":{"x_mm":15,"y_mm":2}}}"#;
+    let mut lines = vec![query; QUERIES + 1];
+    lines[0] = r#"{"scene":{}}"#;
+    let (answers, ended) = told(&remote, &lines).await;
+    assert_eq!((answers.len(), ended), (QUERIES + 1, Ok(())));
+    assert!(answers[1..].iter().all(|answer| answer.get("plan").is_some()));
+}
