@@ -105,7 +105,8 @@ impl<'a, M: Measure> Search<'a, M> {
         budget: &Budget,
     ) -> Result<(), Interrupt> {
         self.tree.push_over(&self.known, stance, |other| features.contains(&(other as usize)));
-        self.push_tangents(stance, bundles, budget)
+        self.push_tangents(stance, bundles, budget)?;
+        if self.tree.label_count() > LABEL_LIMIT { Err(Interrupt::Memory) } else { Ok(()) }
     }
 
     /// Offers a stance tangents to the features of some bundles.
