@@ -13,6 +13,9 @@ use traverse_geometry::Scene;
 /// Places along a part inside a solid at which its depth is measured, the middle among them.
 const DEPTH_SAMPLES: u32 = 9;
 
+/// Whether to go on is asked once for so many edges.
+const EDGES_BETWEEN_QUESTIONS: usize = 256;
+
 /// How far ahead of a fold of a border it is asked whether that is material, millimetres.
 const FOLD_PROBE_MM: f64 = 1e-6;
 
@@ -87,8 +90,9 @@ impl Surroundings<'_> {
     pub(crate) fn parts_inside(&self, step: &Curve, solid: u32, touched: &[u32]) -> Vec<Part> {
         let length = step.length();
         let shortest = if length > 0.0 { 1e-3 * self.tolerance / length } else { 0.0 };
+        let touched = touched.chunks(EDGES_BETWEEN_QUESTIONS).take_while(|_| (self.go_on)()).flatten();
         let near_border =
-            touched.iter().flat_map(|&edge| step.parts_within(&self.boundary.curve(edge), self.tolerance));
+            touched.flat_map(|&edge| step.parts_within(&self.boundary.curve(edge), self.tolerance));
         remaining(near_border.collect(), shortest)
             .into_iter()
             .take_while(|_| (self.go_on)())
@@ -101,13 +105,13 @@ impl Surroundings<'_> {
         let solid = &self.boundary.solids[solid as usize];
         parts
             .iter()
-            .take_while(|_| (self.go_on)())
             .flat_map(|part| {
                 (0..DEPTH_SAMPLES).map(move |sample| {
                     let share = (f64::from(sample) + 0.5) / f64::from(DEPTH_SAMPLES);
                     step.point_at(part.0 + (part.1 - part.0) * share)
                 })
             })
+            .take_while(|_| (self.go_on)())
             .filter_map(|at| {
                 let depth = self.tree.distance_among(self.boundary, at, &solid.edges)?;
                 Some(Nearest { distance: -depth - solid.clearance, at })

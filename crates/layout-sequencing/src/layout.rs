@@ -9,7 +9,7 @@ use crate::profile::Profile;
 use crate::published_effect::Facing;
 use rustc_hash::FxHashMap;
 use traverse_geometry::{PlacedSection, Point, Pose, SectionLayout};
-use traverse_solve::Budget;
+use traverse_solve::{Budget, CancelToken};
 
 /// Places an order exactly: each section as far left as the slide rule lets it go. `order` names known sections in
 /// allowed poses; any part of the copies will do, and `x_mm` is not read. Copies and poses come back as they went in.
@@ -68,8 +68,20 @@ pub(crate) fn bounding_box_length_mm(layout: &SectionLayout, order: &[PlacedSect
 /// before. Sections that nothing but the start of the strip or the slide rule stopped have none.
 #[must_use]
 pub fn contacts(layout: &SectionLayout, placed: &[PlacedSection]) -> Vec<Contact> {
+    contacts_unless(layout, placed, &CancelToken::new()).unwrap_or_default()
+}
+
+/// The same; none when cancelled.
+pub(crate) fn contacts_unless(
+    layout: &SectionLayout,
+    placed: &[PlacedSection],
+    cancel: &CancelToken,
+) -> Option<Vec<Contact>> {
     let mut profiles: FxHashMap<(usize, Pose), Profile> = FxHashMap::default();
     for section in placed {
+        if cancel.is_cancelled() {
+            return None;
+        }
         profiles
             .entry((section.section, section.pose))
             .or_insert_with(|| profile_of(&layout.sections[section.section], section.pose, layout.gap_mm));
@@ -79,6 +91,9 @@ pub fn contacts(layout: &SectionLayout, placed: &[PlacedSection]) -> Vec<Contact
     // The furthest that anything up to here can touch.
     let mut reach: Vec<f64> = vec![];
     for index in 0..placed.len() {
+        if cancel.is_cancelled() {
+            return None;
+        }
         let x = placed[index].x_mm;
         let slides = profile(index);
         for against in (0..index).rev() {
@@ -100,7 +115,7 @@ pub fn contacts(layout: &SectionLayout, placed: &[PlacedSection]) -> Vec<Contact
         let own = x + slides.width + layout.gap_mm;
         reach.push(reach.last().map_or(own, |&before| own.max(before)));
     }
-    found
+    Some(found)
 }
 
 /// A section stands at most this far from what stopped it, millimetres: its place is rounded up to the grid.

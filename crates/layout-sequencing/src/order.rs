@@ -13,7 +13,7 @@ use crate::findings::layout_findings;
 use crate::height_bound::height_bound;
 use crate::improvement::Improvement;
 use crate::instance::{Instance, Kind};
-use crate::layout::{bounding_box_length_mm, contacts, layout_length_mm, published_length_mm};
+use crate::layout::{bounding_box_length_mm, contacts_unless, layout_length_mm, published_length_mm};
 use crate::options::{Algorithm, EffectModel, OrderOptions};
 use crate::placing::Placing;
 use crate::pose_choice::choose_poses;
@@ -47,7 +47,7 @@ const PATIENCE: u32 = 4;
 ///
 /// # Errors
 /// Everything that is wrong with the question, as [`layout_findings`] says. When the budget ends before that is known
-/// the answer has no plan.
+/// the answer has no plan; neither when it was cancelled.
 pub fn order_sections(
     layout: &SectionLayout,
     options: &OrderOptions,
@@ -279,7 +279,7 @@ impl Order<'_> {
 
     fn answer(self, ending: Ending) -> LayoutAnswer {
         let grid = self.instance.grid;
-        let plan = self.progress.best().map(|(items, _)| self.plan(items));
+        let plan = self.progress.best().and_then(|(items, _)| self.plan(items));
         let length_mm = plan.as_ref().map_or(f64::INFINITY, |plan| plan.length_mm);
         let proven = self.progress.is_proven();
         let bound = if proven { length_mm } else { grid.mm(self.progress.bound()).min(length_mm) };
@@ -295,7 +295,12 @@ impl Order<'_> {
         }
     }
 
-    fn plan(&self, items: &[usize]) -> LayoutPlan {
+    /// None when cancelled: what it says takes time, and nobody waits for it.
+    fn plan(&self, items: &[usize]) -> Option<LayoutPlan> {
+        let cancel = &self.budget.cancel;
+        if cancel.is_cancelled() {
+            return None;
+        }
         let placing = Placing::of(self.instance, items);
         let mut order = self.instance.named(items, &placing.x);
         if let Some(given) = self.options.initial_order.as_ref().filter(|given| is_same_order(given, &order))
@@ -307,13 +312,13 @@ impl Order<'_> {
                 .map(|(given, placed)| PlacedSection { x_mm: placed.x_mm, ..*given })
                 .collect();
         }
-        LayoutPlan {
+        Some(LayoutPlan {
+            contacts: contacts_unless(self.layout, &order, cancel)?,
             length_mm: layout_length_mm(self.layout, &order),
             bounding_box_length_mm: bounding_box_length_mm(self.layout, &order),
             published_length_mm: published_length_mm(self.layout, &order),
-            contacts: contacts(self.layout, &order),
             order,
-        }
+        })
     }
 }
 

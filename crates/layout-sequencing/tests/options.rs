@@ -148,7 +148,7 @@ impl Observer for CancelAtOnce {
 }
 
 #[test]
-fn cancelled_work_ends_with_what_it_has() {
+fn cancelled_work_ends_without_a_plan() {
     for rule in [SlideRule::KeepOrder, SlideRule::Free] {
         for algorithm in [Algorithm::Best, Algorithm::BranchAndBound, Algorithm::AntColony] {
             let mut layout = layout(40, 1);
@@ -158,9 +158,7 @@ fn cancelled_work_ends_with_what_it_has() {
             let mut observer = CancelAtOnce(budget.cancel.clone());
             let answer = order_sections(&layout, &options, &budget, &mut observer).unwrap();
             assert_eq!(answer.ending, Ending::Interrupted(Interrupt::Cancelled));
-            if let Some(plan) = answer.plan {
-                assert!(check_sections(&layout, &plan.order, CONTACT_TOLERANCE_MM).is_sound());
-            }
+            assert_eq!(answer.plan, None);
         }
     }
 }

@@ -144,7 +144,13 @@ impl<'a> AlongLinks<'a> {
             observer.better_bound(self.lower_bound);
             return Ok(Some(Route { cost: self.lower_bound, stops: Vec::new(), places }));
         }
+        let mut looks: u64 = 0;
         loop {
+            // Labels that come to nothing take time as well.
+            looks += 1;
+            if looks.is_multiple_of(LABELS_BETWEEN_CHECKS) {
+                budget.check(*steps)?;
+            }
             let lowest =
                 self.room.open.peek().map_or(f64::INFINITY, |(Reverse(bits), _)| f64::from_bits(*bits));
             if self.offered < lowest {

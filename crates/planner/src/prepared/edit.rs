@@ -10,6 +10,9 @@ use traverse_solve::Budget;
 const FEW_PUT: usize = 256;
 const MANY_PUT: usize = 8;
 
+/// The same for their vertices: what is put into a scene in place can't be interrupted.
+const FEW_VERTICES: usize = 16_384;
+
 /// Changes of a scene that belong together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneEdit {
@@ -31,7 +34,10 @@ impl PreparedScene {
     /// # Errors
     /// There is no obstacle of an id to remove, or the budget ended; the scene is as it was.
     pub fn edit(&mut self, edit: SceneEdit, budget: &Budget) -> Result<(), EditRefusal> {
-        if edit.put.len() > FEW_PUT.max(self.obstacle_count() / MANY_PUT) {
+        let vertices: usize = edit.put.iter().map(|obstacle| obstacle.shape.vertex_count()).sum();
+        if edit.put.len() > FEW_PUT.max(self.obstacle_count() / MANY_PUT)
+            || vertices > FEW_VERTICES.max(self.vertex_count() / MANY_PUT)
+        {
             return self.edit_anew(edit, budget);
         }
         let mut done = Vec::with_capacity(edit.put.len() + edit.remove.len());

@@ -23,12 +23,14 @@ pub(super) struct Plan {
     /// The largest radius of any corner's circle, millimetres.
     radius: f64,
     bounds: Bounds,
+    /// At most so many corners are there, beside those of the frame.
+    corner_count: usize,
 }
 
 impl Plan {
     /// None where a mesh says nothing.
     pub(super) fn of(terrain: &Terrain, barriers: &Barriers<'_>) -> Option<Self> {
-        let mut bounds = Bounds::EMPTY;
+        let (mut bounds, mut corner_count) = (Bounds::EMPTY, 0);
         for owner in barriers.owners() {
             let clearance = barriers.clearance(owner);
             if clearance.asked > 0.0 && matches!(clearance.style, CornerStyle::Miter { .. }) {
@@ -39,11 +41,12 @@ impl Plan {
                     return None;
                 }
                 bounds = bounds.union(outline.ring.bounds());
+                corner_count += outline.ring.len();
             }
         }
         let radii = (0..terrain.features.len() as u32).filter(|&feature| terrain.is_there(feature));
         let radius = radii.map(|feature| terrain.feature(feature).plan_radius).fold(0.0, f64::max);
-        (!bounds.is_empty()).then_some(Self { radius, bounds })
+        (!bounds.is_empty()).then_some(Self { radius, bounds, corner_count })
     }
 
     /// The mesh, unless coordinates can't be told apart.
@@ -58,7 +61,7 @@ impl Plan {
     ) -> Result<Option<Mesh>, Interrupt> {
         let size = self.bounds.size();
         let bounds = self.bounds.grown(self.radius + MARGIN_RATIO * (size.x + size.y) + 1.0);
-        let mut triangulation = Triangulating::default();
+        let mut triangulation = Triangulating::with_room(self.corner_count + 4);
         let mut hiding = Vec::new();
         let frame = [
             bounds.min,
@@ -162,13 +165,18 @@ impl Mesh {
             budget.check(0)?;
             part.clear();
             part.push(seed);
-            let mut next = 0;
+            let (mut next, mut largest) = (0, (f64::NEG_INFINITY, seed));
             while let Some(&at) = part.get(next) {
                 next += 1;
                 if next.is_multiple_of(LOOKS_BETWEEN_CHECKS) {
                     budget.check(0)?;
                 }
                 let triangle = &self.triangles[at as usize];
+                let [a, b, c] = triangle.corners.map(|corner| self.corners[corner as usize]);
+                let area = cross(b - a, c - a);
+                if area >= largest.0 {
+                    largest = (area, at);
+                }
                 for (&way, &is_border) in triangle.across.iter().zip(&borders[at as usize]) {
                     if way == Way::NONE || is_border {
                         continue;
@@ -179,22 +187,15 @@ impl Mesh {
                     }
                 }
             }
-            let owner = self.coverer(barriers, hiding, &part);
+            let owner = self.coverer(barriers, hiding, largest.1);
             part.iter().for_each(|&at| self.triangles[at as usize].owner = owner);
         }
         Ok(())
     }
 
     /// Who covers a part, told from the middle of its largest triangle.
-    fn coverer(&self, barriers: &Barriers<'_>, hiding: &[usize], part: &[u32]) -> u32 {
-        let corners =
-            |at: u32| self.triangles[at as usize].corners.map(|corner| self.corners[corner as usize]);
-        let area = |&at: &u32| {
-            let [a, b, c] = corners(at);
-            cross(b - a, c - a)
-        };
-        let Some(&largest) = part.iter().max_by(|a, b| area(a).total_cmp(&area(b))) else { return NONE };
-        let [a, b, c] = corners(largest);
+    fn coverer(&self, barriers: &Barriers<'_>, hiding: &[usize], largest: u32) -> u32 {
+        let [a, b, c] = self.triangles[largest as usize].corners.map(|corner| self.corners[corner as usize]);
         let middle = Point::from((a.coords + b.coords + c.coords) / 3.0);
         for owner in barriers.owners_at(middle) {
             if hiding.binary_search(&owner).is_err() {
@@ -213,6 +214,7 @@ impl Mesh {
     fn place_features(&mut self, terrain: &Terrain, budget: &Budget) -> Result<(), Interrupt> {
         let key = |at: Point| [at.x, at.y].map(|value| (value + 0.0).to_bits());
         let corners = self.corners.iter().enumerate();
+        budget.check(0)?;
         let by_place: FxHashMap<[u64; 2], u32> = corners.map(|(i, &at)| (key(at), i as u32)).collect();
         let mut at_corners: Vec<(u32, u32)> = Vec::new();
         for feature in (0..terrain.features.len() as u32).filter(|&feature| terrain.is_there(feature)) {
@@ -224,6 +226,7 @@ impl Mesh {
                 None => self.added.push(feature),
             }
         }
+        budget.check(0)?;
         at_corners.sort_unstable();
         let mut at = 0;
         for corner in 0..=self.corners.len() as u32 {

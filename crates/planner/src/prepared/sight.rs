@@ -184,6 +184,10 @@ fn border(terrain: &Terrain, from: u32, side: Side, to: u32, other_side: Side) -
     if side == other_side { terrain.along_border(from, to, side) } else { None }
 }
 
+/// The budget is looked at once for so many features, or cells of a ring.
+const FEATURES_BETWEEN_CHECKS: usize = 256;
+const CELLS_BETWEEN_CHECKS: usize = 16;
+
 /// Looking round from a part of a feature's range.
 struct Look<'a> {
     terrain: &'a Terrain,
@@ -204,7 +208,10 @@ impl Look<'_> {
         let mut occlusion = Occlusion::new(self.circle.center, middle, half_width);
         let grid = self.terrain.obstruction.grid();
         let layer = &self.terrain.layer;
-        for &feature in layer.outside() {
+        for (i, &feature) in layer.outside().iter().enumerate() {
+            if i.is_multiple_of(FEATURES_BETWEEN_CHECKS) {
+                budget.check(0)?;
+            }
             self.look_at(feature, &ahead, &occlusion, half_width, looked);
         }
         let rings = Rings::round(self.circle.center, grid.size(), grid.cell_at(self.circle.center));
@@ -218,7 +225,15 @@ impl Look<'_> {
                 self.sight.reach = self.sight.reach.max(near);
                 return Ok(());
             }
+            let (mut cells, mut ended) = (0_usize, Ok(()));
             rings.cells(ring, |column, row| {
+                cells += 1;
+                if ended.is_ok() && cells.is_multiple_of(CELLS_BETWEEN_CHECKS) {
+                    ended = budget.check(0);
+                }
+                if ended.is_err() {
+                    return;
+                }
                 let middle = grid.middle(column as i64, row as i64);
                 if !ahead.may_lead_to(self.side, middle, slack) {
                     return;
@@ -233,6 +248,7 @@ impl Look<'_> {
                     }
                 }
             });
+            ended?;
             if rings.is_over(ring) {
                 break;
             }

@@ -13,13 +13,19 @@ const EDGES_TURNED: usize = 512;
 const STEPS_BETWEEN_CHECKS: usize = 32;
 
 /// A triangulation that is being made.
-#[derive(Default)]
 pub(super) struct Triangulating {
     by_spade: ConstrainedDelaunayTriangulation<Point2<f64>>,
     last: Option<FixedVertexHandle>,
 }
 
 impl Triangulating {
+    /// Nothing yet, with room for so many corners: growing later would move all of them at once.
+    pub(super) fn with_room(corners: usize) -> Self {
+        // A triangulation of n corners has fewer than 3n edges and 2n faces.
+        let by_spade = ConstrainedDelaunayTriangulation::with_capacity(corners, 3 * corners, 2 * corners);
+        Self { by_spade, last: None }
+    }
+
     /// Adds a corner; none where it can't be told apart from others.
     pub(super) fn insert(&mut self, point: Point) -> Option<FixedVertexHandle> {
         // Zeros have one sign only, and what is next to nothing is nothing.

@@ -165,11 +165,20 @@ impl<'a> Near<'a> {
                 barrier_border(&outline, &mut edges, budget)?;
             }
         }
-        edges.retain(|edge| edge.bounds().meets(&all.grown(CONTACT_TOLERANCE_MM)));
         let mut owners = Grid::new(&load);
         boxes.iter().for_each(|(owner, reached)| owners.insert_box(*owner as u32, reached, 0.0));
-        let mut load = Load::NONE;
-        edges.iter().for_each(|edge| load.add(&edge.bounds(), 0.0));
+        let (all, mut load, mut near) = (all.grown(CONTACT_TOLERANCE_MM), Load::NONE, Vec::new());
+        for (i, edge) in edges.into_iter().enumerate() {
+            if i.is_multiple_of(EDGES_BETWEEN_CHECKS) {
+                budget.check(0)?;
+            }
+            let bounds = edge.bounds();
+            if bounds.meets(&all) {
+                load.add(&bounds, 0.0);
+                near.push(edge);
+            }
+        }
+        let edges = near;
         let mut borders = Grid::new(&load);
         for (i, edge) in edges.iter().enumerate() {
             if i.is_multiple_of(EDGES_BETWEEN_CHECKS) {

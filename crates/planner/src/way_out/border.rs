@@ -8,6 +8,9 @@ use traverse_geometry::{
 };
 use traverse_solve::{Budget, Interrupt};
 
+/// The budget is looked at once for so many edges.
+const EDGES_BETWEEN_CHECKS: usize = 4096;
+
 /// A piece of the border of a barrier, or a bit more.
 pub(crate) struct Piece {
     pub(crate) edge: Edge,
@@ -78,16 +81,18 @@ fn add_border(outline: &Outline<'_>, edges: &mut Vec<Edge>, budget: &Budget) -> 
     }
     let mut features = Vec::new();
     outline.add_features(&mut features, budget)?;
-    edges.extend(features.iter().map(|circle| {
-        Edge::Arc(Arc::from_angles(
-            circle.center,
-            circle.plan_radius,
-            circle.start_angle,
-            circle.sweep.min(TAU),
-        ))
-    }));
+    for (i, circle) in features.iter().enumerate() {
+        if i.is_multiple_of(EDGES_BETWEEN_CHECKS) {
+            budget.check(0)?;
+        }
+        let sweep = circle.sweep.min(TAU);
+        edges.push(Edge::Arc(Arc::from_angles(circle.center, circle.plan_radius, circle.start_angle, sweep)));
+    }
     let sides: &[f64] = if outline.ring.touches_itself() { &[-1.0, 1.0] } else { &[-1.0] };
-    for edge in outline.ring.edges() {
+    for (i, edge) in outline.ring.edges().enumerate() {
+        if i.is_multiple_of(EDGES_BETWEEN_CHECKS) {
+            budget.check(0)?;
+        }
         edges.extend(sides.iter().filter_map(|side| beside(&edge, side * clearance.planned())));
     }
     Ok(())
