@@ -2,16 +2,24 @@
 
 use crate::certificate::{LayoutCertificate, certificate_findings};
 use crate::exact_sum::ExactSum;
+use crate::extent::Extent;
+use crate::facing::Facing;
+use crate::flank::Flank;
 use crate::join_prices::bound_by_prices;
-use crate::silhouette::{Facing, Silhouette};
-use traverse_geometry::{Section, SectionLayout};
+use traverse_geometry::{Pose, Section, SectionLayout};
 
 /// A bound of the engine counts in steps of this share of the longest join, or in nanometres where those are more.
 const ENGINE_STEP_RATIO: f64 = 1e-10;
 
+/// Roundings of a width that are taken off a thickness.
+const THICKNESS_ROUNDINGS: f64 = 8.0;
+
 /// The lower bound that `certificate` proves of every layout that answers `layout` and is reached by sliding, millimetres, 0 or more; 0 as well where
-/// [`crate::certificate_findings`] has something to say. It shares no joins with the solver: of each two sections it
-/// measures, flank against flank, how far they keep each other apart. Rounding lowers it, never raises it.
+/// [`crate::certificate_findings`] has something to say, and for what is no layout: without sections, of no copies, in no pose.
+/// It shares no joins with the solver: of each two sections it
+/// measures, flank against flank, how far they keep each other apart. Rounding lowers it, never raises it: coordinates are
+/// the numbers that [`traverse_geometry::Part::in_section`] gives, sections turn about the centre of
+/// [`traverse_geometry::Section::bounds`], and all else counts as little as it may be.
 ///
 /// Cost: for duals of n sections n² pairs in each two of their poses; for a height or a width linear.
 #[must_use]
@@ -26,14 +34,14 @@ pub fn certified_bound_mm_while(
     certificate: &LayoutCertificate,
     go_on: &dyn Fn() -> bool,
 ) -> Option<f64> {
-    let mut is_sound = layout.gap_mm.is_finite() && layout.gap_mm >= 0.0;
+    let mut is_sound = layout.gap_mm.is_finite() && layout.gap_mm >= 0.0 && !layout.sections.is_empty();
     for section in &layout.sections {
         if !go_on() {
             return None;
         }
         let bounds = section.bounds();
         let is_somewhere = [bounds.min, bounds.max].iter().all(|p| (p.x + p.y).is_finite());
-        is_sound &= is_somewhere && !section.poses.is_empty();
+        is_sound &= is_somewhere && !section.poses.is_empty() && section.quantity > 0;
     }
     if !is_sound || !certificate_findings(layout, certificate).is_empty() {
         return go_on().then_some(0.0);
@@ -42,7 +50,7 @@ pub fn certified_bound_mm_while(
         LayoutCertificate::Joins(prices) => bound_by_prices(layout, prices, go_on),
         LayoutCertificate::Height { y_mm } => bound_by_height(layout, *y_mm, go_on),
         LayoutCertificate::Width { section } => {
-            go_on().then(|| layout.sections[*section].bounds().size().x * (1.0 - 2.0 * f64::EPSILON))
+            Extent::of(&layout.sections[*section], go_on).map(|extent| extent.width_mm.max(0.0))
         }
     }
 }
@@ -76,11 +84,31 @@ fn thickness(section: &Section, y: f64, go_on: &dyn Fn() -> bool) -> Option<Opti
     let width = section.bounds().size().x;
     let mut least = f64::INFINITY;
     for &pose in &section.poses {
-        let [right, left] = [Facing::Right, Facing::Left];
-        let right = Silhouette::of(section, pose, right, go_on)?.reach(y);
-        let left = Silhouette::of(section, pose, left, go_on)?.reach(y);
+        let right = reach(section, pose, Facing::Right, y, go_on)?;
+        let left = reach(section, pose, Facing::Left, y, go_on)?;
         let Some((right, left)) = right.zip(left) else { return Some(None) };
-        least = least.min(right + left - 8.0 * f64::EPSILON * width);
+        least = least.min(right + left - THICKNESS_ROUNDINGS * f64::EPSILON * width);
     }
     Some(Some(least.max(0.0)))
+}
+
+/// How far a section reaches at a height, not more than it does; the inner none: it may leave the height free. Cost: linear,
+/// without bands: one height is asked once.
+#[expect(clippy::option_option, reason = "the outer one: it was not given up")]
+fn reach(
+    section: &Section,
+    pose: Pose,
+    facing: Facing,
+    y: f64,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Option<f64>> {
+    let mut furthest: Option<f64> = None;
+    let see = |flank: Flank| {
+        if flank.low <= y && y <= flank.high {
+            let reach = flank.reach(y);
+            furthest = Some(furthest.map_or(reach, |furthest| furthest.max(reach)));
+        }
+    };
+    facing.flanks(section, pose, go_on, see)?;
+    Some(furthest)
 }

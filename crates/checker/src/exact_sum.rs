@@ -1,5 +1,12 @@
 //! Sums whose rounding is known: what each addition loses is added up beside.
 
+/// The sum of two numbers as it is rounded, and what rounding took from it, exactly.
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let back = sum - a;
+    (sum, (a - (sum - back)) + (b - back))
+}
+
 /// A sum with what rounding took from it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ExactSum {
@@ -12,9 +19,8 @@ pub(crate) struct ExactSum {
 impl ExactSum {
     /// Adds a number.
     pub(crate) fn add(&mut self, value: f64) {
-        let sum = self.sum + value;
-        let back = sum - self.sum;
-        self.lost += (self.sum - (sum - back)) + (value - back);
+        let (sum, lost) = two_sum(self.sum, value);
+        self.lost += lost;
         self.sum = sum;
         self.size += value.abs();
     }

@@ -1,16 +1,22 @@
 //! A piece of a border as it is met by something that comes sideways: to each height of a range belongs one reach.
 //!
-//! Reaches are floors: what rounding may have added is taken off, so that a bound that adds reaches never says too much.
-//! Heights are taken as the numbers that they are; of circular edges the highest and lowest points are known up to rounding.
+//! Reaches are floors at exact heights: what rounding may have added is taken off, so that a bound that adds reaches never
+//! says too much. Likewise a flank begins and ends where its border certainly is: where a height is known up to rounding
+//! (tops of arcs, vertices of what is turned upside down), it is shorter by that.
 
-use crate::curve::{Circular, Curve};
-use traverse_geometry::Vector;
+use crate::curve::{Circular, Curve, Straight};
+use std::f64::consts::FRAC_PI_2;
+use traverse_geometry::{Point, Vector};
 
-/// Roundings of the largest number involved that may be in the place of a circular edge.
+/// Roundings of the largest number involved that may be in the place of a circular edge, vertices that are turned upside
+/// down included. Arcs of more than half a turn have as many more as they are wider than their chord.
 const ARC_ROUNDINGS: f64 = 16.0;
 
+/// How many times the slack of its vertices a straight edge may lie off, at the end of the flank, rounding included.
+const END_SLACKS: f64 = 4.0;
+
 /// A straight or circular piece that does not turn back in height.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Flank {
     /// Lowest and highest height.
     pub(crate) low: f64,
@@ -18,7 +24,8 @@ pub(crate) struct Flank {
     /// Reach at either end.
     at_low: f64,
     at_high: f64,
-    round: Option<Round>,
+    /// Boxed: most edges are straight, and many flanks are kept.
+    round: Option<Box<Round>>,
 }
 
 /// The circle of a round flank.
@@ -43,40 +50,61 @@ pub(crate) enum Slopes {
 }
 
 impl Flank {
-    /// Adds the flanks of an edge, reaches being its x.
-    pub(crate) fn add(curve: &Curve, flanks: &mut Vec<Self>) {
+    /// Shows the flanks of an edge, reaches being its x. The heights of its vertices are off by at most `slacks`.
+    pub(crate) fn each(curve: &Curve, slacks: [f64; 2], mut show: impl FnMut(Self)) {
         match curve {
-            Curve::Straight(straight) => {
-                let (a, b) = (straight.a, straight.b);
-                let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
-                let (at_low, at_high) = match low.y < high.y {
-                    true => (low.x, high.x),
-                    false => (low.x.max(high.x), low.x.max(high.x)),
-                };
-                flanks.push(Self { low: low.y, high: high.y, at_low, at_high, round: None });
-            }
-            Curve::Circular(arc) => Self::add_arc(curve, arc, flanks),
+            Curve::Straight(straight) => show_sound(Self::of_straight(straight, slacks), &mut show),
+            Curve::Circular(arc) => Self::each_of_arc(curve, arc, slacks, show),
         }
     }
 
-    fn add_arc(curve: &Curve, arc: &Circular, flanks: &mut Vec<Self>) {
+    fn of_straight(straight: &Straight, slacks: [f64; 2]) -> Self {
+        let [a, b] = [(straight.a, slacks[0]), (straight.b, slacks[1])];
+        let ((low, low_slack), (high, high_slack)) = if a.0.y <= b.0.y { (a, b) } else { (b, a) };
+        if low.y == high.y {
+            let furthest = low.x.max(high.x);
+            let (from, to) = (above(low.y, low_slack), below(high.y, high_slack));
+            return Self { low: from, high: to, at_low: furthest, at_high: furthest, round: None };
+        }
+        let (rise, height, slack) = (high.x - low.x, high.y - low.y, low_slack.max(high_slack));
+        // Where the edge leans inwards, the reach at an end that may lie farther out is less.
+        let at_end = |x: f64, rise: f64, own_slack: f64, moved: f64| match own_slack > 0.0 {
+            true => x + rise.min(0.0) * ((moved + END_SLACKS * slack) / height).min(1.0),
+            false => x,
+        };
+        let (from, to) = (above(low.y, low_slack), below(high.y, high_slack));
+        Self {
+            low: from,
+            high: to,
+            at_low: at_end(low.x, rise, low_slack, from - low.y),
+            at_high: at_end(high.x, -rise, high_slack, high.y - to),
+            round: None,
+        }
+    }
+
+    fn each_of_arc(curve: &Curve, arc: &Circular, slacks: [f64; 2], mut show: impl FnMut(Self)) {
         let mut cuts = vec![0.0, 1.0];
         curve.cut_by_direction(Vector::y(), &mut cuts);
         cuts.sort_by(f64::total_cmp);
         let center = arc.center.coords;
-        let slack = ARC_ROUNDINGS * f64::EPSILON * (center.x.abs() + center.y.abs() + arc.radius);
+        let chord = (arc.b - arc.a).norm();
+        let wider = if arc.half > FRAC_PI_2 { 2.0 * arc.radius / chord } else { 1.0 };
+        let slack = ARC_ROUNDINGS * f64::EPSILON * (center.x.abs() + center.y.abs() + arc.radius) * wider;
         for pair in cuts.windows(2) {
+            let bulges = curve.point_at(f64::midpoint(pair[0], pair[1])).x >= center.x;
+            let round = Round { center, radius: arc.radius, bulges, slack };
+            // A vertex is what was sent; what was cut or turned upside down is known up to rounding.
             let end = |fraction: f64| {
-                let p = curve.point_at(fraction);
-                // A vertex is what was sent; what was cut is known up to rounding.
-                let own = fraction == 0.0 || fraction == 1.0;
-                (p.y, if own { p.x } else { p.x - slack })
+                let is_sent = (fraction == 0.0 && slacks[0] == 0.0) || (fraction == 1.0 && slacks[1] == 0.0);
+                (curve.point_at(fraction), is_sent)
             };
             let (from, to) = (end(pair[0]), end(pair[1]));
-            let (low, high) = if from.0 <= to.0 { (from, to) } else { (to, from) };
-            let bulges = curve.point_at(f64::midpoint(pair[0], pair[1])).x >= center.x;
-            let round = Some(Round { center, radius: arc.radius, bulges, slack });
-            flanks.push(Self { low: low.0, high: high.0, at_low: low.1, at_high: high.1, round });
+            let (low, high) = if from.0.y <= to.0.y { (from, to) } else { (to, from) };
+            let moved =
+                |(p, is_sent): (Point, bool), y: f64| if is_sent { (p.y, p.x) } else { (y, round.reach(y)) };
+            let (low, at_low) = moved(low, above(low.0.y, slack));
+            let (high, at_high) = moved(high, below(high.0.y, slack));
+            show_sound(Self { low, high, at_low, at_high, round: Some(Box::new(round)) }, &mut show);
         }
     }
 
@@ -88,15 +116,22 @@ impl Flank {
         if y >= self.high {
             return self.at_high;
         }
-        let Some(Round { center, radius, bulges, slack }) = self.round else { return self.chord(y) };
-        let off = (y - center.y).abs();
-        let half = |off: f64| ((radius - off) * (radius + off)).max(0.0).sqrt();
-        if bulges {
+        match &self.round {
             // The flank bulges over its chord, which is known better where it is steep.
-            (center.x + half(off + slack) - slack).max(self.chord(y) - slack)
-        } else {
-            center.x - half((off - slack).max(0.0)) - slack
+            Some(round) if round.bulges => round.reach(y).max(self.chord(y) - round.slack),
+            Some(round) => round.reach(y),
+            None => self.chord(y),
         }
+    }
+
+    /// Whether the straight line between any two of its points reaches as far as it, or farther.
+    pub(crate) fn is_within_chord(&self) -> bool {
+        self.round.as_ref().is_none_or(|round| !round.bulges)
+    }
+
+    /// Whether it reaches as far as the straight line between any two of its points, or farther.
+    pub(crate) fn is_beyond_chord(&self) -> bool {
+        self.round.as_ref().is_none_or(|round| round.bulges)
     }
 
     /// The straight line between its ends.
@@ -113,7 +148,7 @@ impl Flank {
     /// The furthest that it reaches between two heights.
     pub(crate) fn furthest(&self, from: f64, to: f64) -> f64 {
         let ends = self.reach(from).max(self.reach(to));
-        match self.round {
+        match &self.round {
             Some(round) if round.bulges => ends.max(self.reach(round.center.y.clamp(from, to))),
             _ => ends,
         }
@@ -122,7 +157,7 @@ impl Flank {
     /// The least that it reaches between two heights.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
         let ends = self.reach(from).min(self.reach(to));
-        match self.round {
+        match &self.round {
             Some(round) if !round.bulges => ends.min(self.reach(round.center.y.clamp(from, to))),
             _ => ends,
         }
@@ -130,10 +165,11 @@ impl Flank {
 
     /// Where it has which slope, its ends first.
     pub(crate) fn slopes(&self) -> [Slopes; 3] {
-        let inner = match self.round {
-            Some(Round { center, radius, bulges, .. }) => {
-                Slopes::Round { center: center.y, radius: if bulges { radius } else { -radius } }
-            }
+        let inner = match &self.round {
+            Some(round) => Slopes::Round {
+                center: round.center.y,
+                radius: if round.bulges { round.radius } else { -round.radius },
+            },
             None => {
                 let (rise, height) = (self.at_high - self.at_low, self.high - self.low);
                 let length = rise.hypot(height);
@@ -143,4 +179,35 @@ impl Flank {
         let end = |y: f64| Slopes::Round { center: y, radius: 0.0 };
         [end(self.low), end(self.high), inner]
     }
+}
+
+impl Round {
+    /// How far the circle reaches at a height, not more than it does.
+    fn reach(&self, y: f64) -> f64 {
+        let Self { center, radius, bulges, slack } = *self;
+        let off = (y - center.y).abs();
+        let half = |off: f64| ((radius - off) * (radius + off)).max(0.0).sqrt();
+        if bulges {
+            center.x + half(off + slack) - slack
+        } else {
+            center.x - half((off - slack).max(0.0)) - slack
+        }
+    }
+}
+
+/// Shows a flank, unless nothing of it is left that certainly is there.
+fn show_sound(flank: Flank, show: &mut impl FnMut(Flank)) {
+    if flank.low <= flank.high {
+        show(flank);
+    }
+}
+
+/// Not lower than `slack` above a height; without slack the height itself.
+fn above(y: f64, slack: f64) -> f64 {
+    if slack > 0.0 { (y + slack).next_up() } else { y }
+}
+
+/// Not higher than `slack` below a height; without slack the height itself.
+fn below(y: f64, slack: f64) -> f64 {
+    -above(-y, slack)
 }

@@ -4,7 +4,14 @@
 //! of the gap is left along the strip, √(gap² − difference²). The largest such sum lies where both slopes and that of the
 //! gap's circle agree, or at ends of flanks; every such pair of heights is tried. Cost: constant.
 
+use crate::exact_sum::two_sum;
 use crate::flank::{Flank, Slopes};
+
+/// Roundings of a difference of heights that are added to it.
+const APART_ROUNDINGS: f64 = 2.0;
+
+/// Roundings that are taken off what is left of the gap along the strip.
+const ALONG_ROUNDINGS: f64 = 4.0;
 
 /// The largest sum of reaches of `one` and `other` and the gap between them; none: no heights are near enough.
 pub(crate) fn meeting(one: &Flank, other: &Flank, gap: f64) -> Option<f64> {
@@ -31,7 +38,22 @@ pub(crate) fn meeting(one: &Flank, other: &Flank, gap: f64) -> Option<f64> {
 
 /// The height nearest to `y` that is at most the gap away from `fixed`.
 fn within(y: f64, fixed: f64, gap: f64) -> f64 {
-    y.clamp(fixed - gap, fixed + gap)
+    let near = y.clamp(fixed - gap, fixed + gap);
+    if is_within(near, fixed, gap) {
+        near
+    } else if near < fixed {
+        near.next_up()
+    } else {
+        near.next_down()
+    }
+}
+
+/// Whether two heights are at most the gap apart: as numbers, not as their difference is rounded.
+fn is_within(y: f64, z: f64, gap: f64) -> bool {
+    let (low, high) = if y <= z { (y, z) } else { (z, y) };
+    let (apart, more) = two_sum(high, -low);
+    // Rounding keeps the order, so only a difference that looks like the gap may exceed it.
+    apart < gap || (apart == gap && more <= 0.0)
 }
 
 /// Where the slopes of both agree with the gap's.
@@ -59,12 +81,11 @@ fn heights(a: Slopes, b: Slopes, gap: f64) -> Option<(f64, f64)> {
 
 /// What of the gap is left along the strip between two heights, not more than that; none: they are farther apart.
 fn along(y: f64, z: f64, gap: f64) -> Option<f64> {
-    let apart = (y - z).abs();
-    if apart > gap {
+    if !is_within(y, z, gap) {
         return None;
     }
-    let apart = apart * (1.0 + 2.0 * f64::EPSILON);
-    Some(((gap - apart) * (gap + apart)).max(0.0).sqrt() * (1.0 - 4.0 * f64::EPSILON))
+    let apart = (y - z).abs() * (1.0 + APART_ROUNDINGS * f64::EPSILON);
+    Some(((gap - apart) * (gap + apart)).max(0.0).sqrt() * (1.0 - ALONG_ROUNDINGS * f64::EPSILON))
 }
 
 #[cfg(test)]
@@ -84,7 +105,7 @@ mod tests {
 
     fn flanks(curve: &Curve) -> Vec<Flank> {
         let mut flanks = Vec::new();
-        Flank::add(curve, &mut flanks);
+        Flank::each(curve, [0.0; 2], |flank| flanks.push(flank));
         flanks
     }
 

@@ -7,13 +7,21 @@
 
 use crate::certificate::JoinPrices;
 use crate::exact_sum::ExactSum;
+use crate::extent::Extent;
+use crate::facing::Facing;
 use crate::least_offset::LeastOffset;
-use crate::silhouette::{Facing, Silhouette};
+use crate::silhouette::Silhouette;
 use std::collections::HashSet;
 use traverse_geometry::{Pose, Section, SectionLayout};
 
+/// Roundings of the prices of an arc that are added to what they ask.
+const ASKED_ROUNDINGS: f64 = 4.0;
+
 /// Roundings of widths and gap that are taken off an offset.
 const OFFSET_ROUNDINGS: f64 = 16.0;
+
+/// Edges of boxes from and to which an arc is measured.
+const EDGES_OF_ARC: f64 = 2.0;
 
 /// The bound that `prices`, which have no findings, prove of `layout`, millimetres. None: given up.
 ///
@@ -36,7 +44,9 @@ pub(crate) fn bound_by_prices(
                 return None;
             }
             let (row, column, weight) = (prices.rows_mm[from], prices.columns_mm[to], left_sets[to]);
-            let rounding = weight_rounding + 4.0 * f64::EPSILON * (row.abs() + column.abs() + weight.abs());
+            let rounding = weight_rounding
+                + ASKED_ROUNDINGS * f64::EPSILON * (row.abs() + column.abs() + weight.abs())
+                + EDGES_OF_ARC * arcs.edge_slack;
             let asked = row + column + weight + rounding;
             // No arc costs less than nothing.
             if asked <= 0.0 || !arcs.is_arc(from, to) {
@@ -106,6 +116,8 @@ struct Arcs<'a> {
     looking_right: Vec<Vec<Silhouette>>,
     looking_left: Vec<Vec<Silhouette>>,
     widths: Vec<f64>,
+    /// By how much the edges may lie off from and to which offsets are measured.
+    edge_slack: f64,
     offsets: LeastOffset<'a>,
 }
 
@@ -118,14 +130,15 @@ impl<'a> Arcs<'a> {
             };
             layout.sections.iter().map(of).collect()
         };
+        let extents: Vec<Extent> =
+            layout.sections.iter().map(|section| Extent::of(section, go_on)).collect::<Option<_>>()?;
         Some(Self {
             layout,
             forbidden: layout.forbidden_joins.iter().copied().collect(),
             looking_right: all(Facing::Right)?,
             looking_left: all(Facing::Left)?,
-            widths: (layout.sections.iter())
-                .map(|section| go_on().then(|| section.bounds().size().x))
-                .collect::<Option<_>>()?,
+            widths: extents.iter().map(|extent| extent.width_mm).collect(),
+            edge_slack: extents.iter().map(|extent| extent.edge_slack_mm).fold(0.0, f64::max),
             offsets: LeastOffset::new(layout.gap_mm, go_on),
         })
     }
@@ -148,7 +161,7 @@ impl<'a> Arcs<'a> {
         let width = |node: usize| self.widths.get(node).copied();
         // The strip begins at 0, where the first section may stand.
         let Some(left_width) = width(from) else { return Some(0.0) };
-        let Some(right_width) = width(to) else { return Some(left_width * (1.0 - 2.0 * f64::EPSILON)) };
+        let Some(right_width) = width(to) else { return Some(left_width) };
         let rounding = OFFSET_ROUNDINGS * f64::EPSILON * (left_width + right_width + self.layout.gap_mm);
         let mut least = enough + rounding;
         for left in &self.looking_right[from] {

@@ -4,6 +4,7 @@ use crate::as_run::AsRun;
 use crate::boundary::Boundary;
 use crate::boundary_tree::BoundaryTree;
 use crate::clearance::{Surroundings, nearer};
+use crate::corridor::Corridor;
 use crate::cost::cost;
 use crate::curve::Curve;
 use crate::heights::Heights;
@@ -12,7 +13,6 @@ use crate::leg::{Leg, legs};
 use crate::message::{millimetres, solid_id, solid_name};
 use crate::path_shape::{curves, not_finite, wrong_ends};
 use crate::seam::seam;
-use crate::strip::Strip;
 use crate::touching::passages;
 use crate::{Violation, ViolationReason};
 use std::borrow::Cow;
@@ -346,19 +346,20 @@ impl Walk<'_> {
         if self.touches == 0 || self.touches >= TOUCH_LIMIT {
             return;
         }
-        let strip = Strip::along(steps, tolerance);
+        let corridor = Corridor::along(steps, tolerance);
         // Parts of one step may touch the same edge.
         for edges in &mut self.touched {
             edges.sort_unstable();
             edges.dedup();
         }
-        let edges: Vec<Vec<u32>> = strip.steps.iter().map(|step| self.touched[step.index].clone()).collect();
+        let edges: Vec<Vec<u32>> =
+            corridor.steps.iter().map(|step| self.touched[step.index].clone()).collect();
         let mut reported = BTreeSet::new();
-        let mut found: Vec<_> = passages(boundary, tree, &strip, &edges, go_on)
+        let mut found: Vec<_> = passages(boundary, tree, &corridor, &edges, go_on)
             .into_iter()
             .map(|passage| (passage.step, passage.at, passage.solids))
             .collect();
-        for (step, edges) in strip.steps.iter().zip(&edges).take_while(|_| go_on()) {
+        for (step, edges) in corridor.steps.iter().zip(&edges).take_while(|_| go_on()) {
             found.extend(
                 seam(boundary, tree, &step.curve, edges, tolerance)
                     .map(|(at, solids)| (step.index, at, solids)),

@@ -7,8 +7,8 @@
 use crate::boundary::Boundary;
 use crate::boundary_tree::BoundaryTree;
 use crate::contact::coincide;
+use crate::cross_cut::CrossCut;
 use crate::curve::Curve;
-use crate::section::Section;
 use traverse_geometry::Point;
 
 /// Most places of one step that are asked.
@@ -61,18 +61,18 @@ fn closed(
     beside: &[u32],
     reach: f64,
 ) -> Option<(Point, [u32; 2])> {
-    let section = Section::across(boundary, step, fraction, beside, reach);
-    if section.lines.len() < 2 {
+    let cut = CrossCut::across(boundary, step, fraction, beside, reach);
+    if cut.lines.len() < 2 {
         return None;
     }
-    let right = section.cover_right(boundary, tree)?;
-    let left = section.cover_left(boundary, tree)?;
-    let rounding = 16.0 * f64::EPSILON * section.at.x.abs().max(section.at.y.abs());
-    let free_between = section.lines.windows(2).any(|pair| {
+    let right = cut.cover_right(boundary, tree)?;
+    let left = cut.cover_left(boundary, tree)?;
+    let rounding = 16.0 * f64::EPSILON * cut.at.x.abs().max(cut.at.y.abs());
+    let free_between = cut.lines.windows(2).any(|pair| {
         let gap = pair[1].offset - pair[0].offset;
         let middle = pair[0].offset + gap / 2.0;
         !coincide(&pair[0].curve, &pair[1].curve, gap)
-            && (gap <= rounding || section.cover(middle, boundary, tree).is_none())
+            && (gap <= rounding || cut.cover(middle, boundary, tree).is_none())
     });
-    (!free_between).then_some((section.at, [right, left]))
+    (!free_between).then_some((cut.at, [right, left]))
 }

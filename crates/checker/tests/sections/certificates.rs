@@ -1,9 +1,10 @@
 //! Bounds of certificates on layouts whose lengths are known by hand, and certificates that make no sense.
 
 use crate::making::*;
+use std::cell::Cell;
 use traverse_checker::{
     BoundClaim, CERTIFIED_PAIR_LIMIT, JoinPrices, LayoutCertificate, ViolationReason, certificate_findings,
-    certified_bound_mm, check_certified_sections_while, claim_tolerance_mm,
+    certified_bound_mm, certified_bound_mm_while, check_certified_sections_while, claim_tolerance_mm,
 };
 use traverse_geometry::{PlacedSection, Pose, Reason, Section, SectionLayout, SlideRule};
 
@@ -190,4 +191,120 @@ fn a_claim_beyond_what_is_proven_is_a_violation_beside_the_layouts_own() {
     let nearer = claimed(Some(f64::NAN), &[at(0, 0.0), at(1, 11.0)]);
     let reasons: Vec<_> = nearer.violations.iter().map(|violation| violation.reason).collect();
     assert_eq!(reasons, [ViolationReason::SectionsTooClose, ViolationReason::BoundNotProven]);
+}
+
+#[test]
+fn heights_a_rounding_error_too_far_apart_do_not_meet() {
+    // Their difference is rounded to the gap.
+    let of = |top: f64, bottom: f64, gap: f64, poses: &[Pose]| {
+        let in_poses = |section: Section| Section { poses: poses.to_vec(), ..section };
+        let below = in_poses(as_is("below", vec![rectangle("p", 0.0, -20.0, 100.0, top)]));
+        let above = in_poses(as_is("above", vec![rectangle("p", 0.0, bottom, 100.0, 20.0)]));
+        SectionLayout { gap_mm: gap, ..layout(vec![below, above]) }
+    };
+    let as_one = joins(&[100.0, 100.0, 0.0], &[0.0; 3], &[]);
+    let with_gap = joins(&[108.0, 100.0, 0.0], &[0.0; 3], &[]);
+    for poses in [&[Pose::AsIs][..], &[Pose::MirrorX]] {
+        let bound = |bottom: f64| certified_bound_mm(&of(-5.0, bottom, 8.0, poses), &with_gap);
+        assert!(bound(3.0) > 200.0 - 1e-9);
+        assert!(bound(3.0_f64.next_down()) > 200.0 - 1e-9);
+        let above = 3.0_f64.next_up();
+        assert_eq!(above - -5.0, 8.0);
+        assert!(bound(above) <= 100.0, "{}", bound(above));
+    }
+    // Without a gap heights are as exact as they are sent.
+    near(certified_bound_mm(&of(0.3, 0.3, 0.0, &[Pose::AsIs]), &as_one), 200.0);
+    assert!(certified_bound_mm(&of(0.3, 0.3_f64.next_up(), 0.0, &[Pose::AsIs]), &as_one) <= 100.0);
+}
+
+#[test]
+fn heights_that_are_rounded_upside_down_do_not_meet() {
+    let prices = joins(&[100.0, 100.0, 0.0], &[0.0; 3], &[]);
+    let mut decided_by_rounding = 0;
+    for i in 1..200 {
+        // Turned, its step comes to lie below a thin post that passes the other section.
+        let step = f64::from(i) / 300.0;
+        let parts = vec![rectangle("p", 0.0, step, 100.0, 90.7), rectangle("post", 0.0, -9.3, 1.0, step)];
+        let stepped = Section { poses: vec![Pose::MirrorY], ..as_is("stepped", parts) };
+        let bounds = stepped.bounds();
+        let rounded = bounds.min.y + bounds.max.y - step;
+        for bottom in [rounded, rounded.next_up(), rounded.next_down()] {
+            let above = as_is("above", vec![rectangle("p", 0.0, bottom, 100.0, bottom + 100.0)]);
+            let bound = certified_bound_mm(&layout(vec![stepped.clone(), above]), &prices);
+            // All that is sent is a multiple of this.
+            let whole = |mm: f64| (mm * 2.0_f64.powi(70)) as i128;
+            let meets = whole(bounds.min.y) + whole(bounds.max.y) - whole(step) >= whole(bottom);
+            assert!(meets || bound <= 101.0, "{i}: {bound}");
+            decided_by_rounding += usize::from(!meets && rounded >= bottom);
+        }
+        let below = as_is("below", vec![rectangle("p", 0.0, rounded - 1e-9, 100.0, 200.0)]);
+        near(certified_bound_mm(&layout(vec![stepped, below]), &prices), 200.0);
+    }
+    assert!(decided_by_rounding > 20, "{decided_by_rounding}");
+}
+
+#[test]
+fn tops_of_arcs_do_not_meet_what_begins_above_them() {
+    for i in 1..200 {
+        // 3, 4, 5: centre, radius and top are as exact as the vertices.
+        let (size, top) = (8.0 + f64::from(i % 3), f64::from(i) / 1024.0);
+        let (x, y) = (100.0 - 5.0 * size, top - 5.0 * size);
+        let ends = [x - 3.0 * size, y - 4.0 * size, x + 3.0 * size, y + 4.0 * size];
+        let parts = vec![part("disc", &ends, &[1.0, 1.0]), rectangle("q", 0.0, -200.0, 100.0, -199.0)];
+        let disc = as_is("disc", parts);
+        let left_over = x.min(100.0 - x);
+        let prices = joins(&[x, 100.0 - x, 0.0], &[0.0, 0.0, left_over], &[]);
+        let bound = |bottom: f64| {
+            let above = as_is("above", vec![rectangle("p", 0.0, bottom, 100.0, 40.0)]);
+            certified_bound_mm(&layout(vec![disc.clone(), above]), &prices)
+        };
+        assert!(bound(top.next_up()) <= 100.0, "{i}: {}", bound(top.next_up()));
+        near(bound(top - 1e-9), 100.0 + left_over);
+    }
+}
+
+#[test]
+fn what_is_no_layout_proves_nothing() {
+    let prices = joins(&[1e6], &[1e6], &[]);
+    assert_eq!(certified_bound_mm(&layout(Vec::new()), &prices), 0.0);
+    let mut none_of_one = layout(vec![as_is("s", vec![rectangle("p", 0.0, 0.0, 1.0, 1.0)])]);
+    none_of_one.sections[0].quantity = 0;
+    for certificate in [joins(&[0.0, 1e6], &[-1e6, 0.0], &[]), LayoutCertificate::Width { section: 0 }] {
+        assert_eq!(certified_bound_mm(&none_of_one, &certificate), 0.0);
+    }
+}
+
+/// A saw of points that look to the right: as many bands as there are.
+fn saw(id: &str, points: usize) -> Section {
+    let mut xy = vec![0.0, 0.0];
+    for point in 0..points {
+        let y = point as f64;
+        xy.extend([10.0, y + 0.25, 9.0 + (point % 7) as f64 / 10.0, y + 0.75]);
+    }
+    xy.extend([0.0, points as f64]);
+    as_is(id, vec![part("p", &xy, &[])])
+}
+
+#[test]
+fn a_no_ends_the_check_wherever_it_comes() {
+    // Every band of one is near every band of the other.
+    let layout = SectionLayout { gap_mm: 1e5, ..layout(vec![saw("a", 4_000), saw("b", 4_000)]) };
+    let certificate = joins(&[1.0, 1.0, 0.0], &[0.0; 3], &[]);
+    let asked = Cell::new(0);
+    let until = |last: usize| {
+        asked.set(0);
+        let go_on = || {
+            asked.set(asked.get() + 1);
+            asked.get() <= last
+        };
+        certified_bound_mm_while(&layout, &certificate, &go_on)
+    };
+    assert!(until(usize::MAX).is_some());
+    let in_all = asked.get();
+    // Two pairs of sections have a million pairs of bands each.
+    assert!(in_all > 2_000_000 / 1_000, "{in_all}");
+    for share in 0..10 {
+        assert_eq!(until(in_all * share / 10), None);
+        assert_eq!(asked.get(), in_all * share / 10 + 1, "asked again after a no");
+    }
 }

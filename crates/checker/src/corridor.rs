@@ -1,28 +1,28 @@
-//! The strip: everything within the tolerance of a path, unrolled along it, with a left and a right wall.
+//! The corridor: everything within the tolerance of a path, unrolled along it, with a left and a right wall.
 //!
-//! Where steps meet at an angle their parts of the strip overlap on the inner side of the turn. What lies there is
+//! Where steps meet at an angle their parts of the corridor overlap on the inner side of the turn. What lies there is
 //! the nearer one's, and none of it is at a wall.
 //!
 //! Steps shorter than a hundredth of the tolerance are left out: their direction is rounding. Where a path turns
-//! back on itself, so that both legs stay within a few tolerances of each other, the strip is cut in two.
+//! back on itself, so that both legs stay within a few tolerances of each other, the corridor is cut in two.
 
 use crate::curve::{Curve, cross};
 use traverse_geometry::Point;
 
-/// A step of the strip.
+/// A step of the corridor.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct StripStep {
+pub(crate) struct CorridorStep {
     /// Index of the path's step.
     pub(crate) index: usize,
     pub(crate) curve: Curve,
-    /// Millimetres along the strip where it begins and ends.
+    /// Millimetres along the corridor where it begins and ends.
     from: f64,
     to: f64,
-    /// Which uncut piece of strip it belongs to.
+    /// Which uncut piece of corridor it belongs to.
     piece: usize,
 }
 
-/// A wall of the strip.
+/// A wall of the corridor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wall {
     Left,
@@ -31,29 +31,29 @@ pub(crate) enum Wall {
 
 /// A path and what lies within reach of it.
 #[derive(Clone, Debug)]
-pub(crate) struct Strip {
-    pub(crate) steps: Vec<StripStep>,
-    /// Where each piece ends, millimetres along the strip.
+pub(crate) struct Corridor {
+    pub(crate) steps: Vec<CorridorStep>,
+    /// Where each piece ends, millimetres along the corridor.
     ends: Vec<f64>,
     pub(crate) reach: f64,
 }
 
-/// Places within this many reaches of an end of the strip belong to the end.
+/// Places within this many reaches of an end of the corridor belong to the end.
 const END_REACHES: f64 = 2.0;
 
-/// Steps within this many reaches along the strip are neighbours.
+/// Steps within this many reaches along the corridor are neighbours.
 const NEIGHBOUR_REACHES: f64 = 4.0;
 
-/// How many reaches from the ends it is asked what covers the strip there.
-const SECTION_REACHES: f64 = 3.0;
+/// How many reaches from the ends it is asked what covers the corridor there.
+const CUT_REACHES: f64 = 3.0;
 
-/// A hairpin whose legs end nearer than this many reaches to each other cuts the strip.
+/// A hairpin whose legs end nearer than this many reaches to each other cuts the corridor.
 const HAIRPIN_REACHES: f64 = 4.0;
 
-impl Strip {
-    /// The strip along the steps; one without a curve cuts it.
+impl Corridor {
+    /// The corridor along the steps; one without a curve cuts it.
     pub(crate) fn along(curves: &[Option<Curve>], reach: f64) -> Self {
-        let mut strip = Self { steps: Vec::new(), ends: Vec::new(), reach };
+        let mut corridor = Self { steps: Vec::new(), ends: Vec::new(), reach };
         let mut cut = true;
         for (index, curve) in curves.iter().enumerate() {
             let Some(curve) = *curve else {
@@ -64,19 +64,19 @@ impl Strip {
             if length <= reach / 100.0 {
                 continue;
             }
-            let last = strip.steps.last();
+            let last = corridor.steps.last();
             cut |= last.is_some_and(|last| turns_back(&last.curve, &curve, reach));
             // Pieces are numbered along one scale, each from 0.
             let from = if cut { 0.0 } else { last.map_or(0.0, |last| last.to) };
             if cut {
-                strip.ends.push(0.0);
+                corridor.ends.push(0.0);
             }
-            let piece = strip.ends.len() - 1;
-            strip.ends[piece] = from + length;
-            strip.steps.push(StripStep { index, curve, from, to: from + length, piece });
+            let piece = corridor.ends.len() - 1;
+            corridor.ends[piece] = from + length;
+            corridor.steps.push(CorridorStep { index, curve, from, to: from + length, piece });
             cut = false;
         }
-        strip
+        corridor
     }
 
     /// Whether the place of step `at` nearest to `p` belongs to an end of its piece.
@@ -87,7 +87,7 @@ impl Strip {
     }
 
     /// Indices of the steps of the same piece up to a window before `from` and after `to`, millimetres along the
-    /// strip, without `at`, nearest first.
+    /// corridor, without `at`, nearest first.
     fn neighbours(&self, at: usize, from: f64, to: f64) -> impl Iterator<Item = usize> {
         let piece = self.steps[at].piece;
         let window = NEIGHBOUR_REACHES * self.reach;
@@ -106,7 +106,7 @@ impl Strip {
         self.neighbours(at, f64::INFINITY, step.to)
     }
 
-    /// The wall through which something leaves the strip at `p`, which lies at the reach of step `at`. None: it
+    /// The wall through which something leaves the corridor at `p`, which lies at the reach of step `at`. None: it
     /// belongs to an end, or goes on within reach of a neighbour.
     ///
     /// `crosses`: it leaves step `at` on both sides, and so crosses it, whatever neighbours do farther along.
@@ -147,9 +147,9 @@ impl Strip {
     }
 
     /// The places just past the ends of every piece: step and fraction of its way.
-    pub(crate) fn end_sections(&self) -> Vec<(usize, f64)> {
-        let inset = SECTION_REACHES * self.reach;
-        let mut sections = Vec::new();
+    pub(crate) fn end_cuts(&self) -> Vec<(usize, f64)> {
+        let inset = CUT_REACHES * self.reach;
+        let mut cuts = Vec::new();
         for (at, step) in self.steps.iter().enumerate() {
             let end = self.ends[step.piece];
             let length = step.to - step.from;
@@ -158,11 +158,11 @@ impl Strip {
             }
             for way in [inset, end - inset] {
                 if step.from <= way && way < step.to {
-                    sections.push((at, (way - step.from) / length));
+                    cuts.push((at, (way - step.from) / length));
                 }
             }
         }
-        sections
+        cuts
     }
 }
 

@@ -1,4 +1,4 @@
-//! A cut across the strip: which edges it meets, and what covers the places between them.
+//! A cut across the corridor: which edges it meets, and what covers the places between them.
 
 use crate::boundary::Boundary;
 use crate::boundary_tree::BoundaryTree;
@@ -17,9 +17,9 @@ pub(crate) struct Line {
     pub(crate) fraction: f64,
 }
 
-/// A cut across the strip at one place.
+/// A cut across the corridor at one place.
 #[derive(Clone, Debug)]
-pub(crate) struct Section {
+pub(crate) struct CrossCut {
     pub(crate) at: Point,
     left: Vector,
     reach: f64,
@@ -27,7 +27,7 @@ pub(crate) struct Section {
     pub(crate) lines: Vec<Line>,
 }
 
-impl Section {
+impl CrossCut {
     /// The cut at `fraction` of `step`, through those of `edges` that it meets within `reach`.
     pub(crate) fn across(
         boundary: &Boundary,
