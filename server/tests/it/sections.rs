@@ -507,3 +507,34 @@ async fn thousands_of_rich_sections_have_a_layout_when_the_time_is_over() {
     assert_eq!(answer.order.len(), 2_000);
     assert!(answer.contacts.len() > 1_900);
 }
+
+/// Finds no order, and does not know whether there is one.
+struct Clueless;
+
+impl Engines for Clueless {
+    fn order_sections(
+        &self,
+        _: &OrderQuestion,
+        _: &Budget,
+        _: &mut dyn Observer,
+    ) -> Result<LayoutAnswer, Vec<Finding>> {
+        Ok(LayoutAnswer {
+            plan: None,
+            lower_bound_mm: 10.0,
+            certificate: traverse_layout_sequencing::BoundCertificate::None,
+            certified_lower_bound_mm: 0.0,
+            ending: traverse_layout_sequencing::Ending::Exhausted,
+            iterations: 1,
+            algorithm: "best",
+        })
+    }
+}
+
+#[tokio::test]
+async fn an_order_that_was_not_found_is_not_said_to_be_good() {
+    let server = Running::with(Config::on_free_port(), Clueless).await;
+    let answer = ordered(&server, arrows()).await;
+    assert!(answer.order.is_empty() && !answer.no_order);
+    let report = answer.report.expect("told");
+    assert_eq!((report.gap_ratio, report.stop_reason()), (1.0, v1::StopReason::Converged));
+}
