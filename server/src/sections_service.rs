@@ -19,6 +19,8 @@ use traverse_solve::{Budget, Interrupt};
 /// Kept of the time limit, so that the best layout found until then is an answer and no error: the engine may take this long to
 /// stop. Of short limits a quarter is kept.
 const STOP_RESERVE: Duration = Duration::from_millis(60);
+/// The same for each vertex of all copies: contacts, published length and the answer's bytes are worked out after the search.
+const RESERVE_PER_VERTEX: Duration = Duration::from_micros(4);
 
 /// OrderSections.
 pub(crate) fn order(
@@ -31,6 +33,7 @@ pub(crate) fn order(
 ) -> Result<(OrderSectionsResponse, &'static str), Refused> {
     let mut question = OrderQuestion::from_wire(request, &config.limits, budget)?;
     note_size(call, &question.layout);
+    let reserve = stop_reserve(&question.layout, config.limits.vertex_count);
     if question.validate_only {
         let findings = layout_findings(&question.layout, &question.options, budget);
         return match findings {
@@ -48,7 +51,7 @@ pub(crate) fn order(
         false => None,
     };
     let searched = Budget {
-        deadline: budget.deadline.map(|deadline| less_reserve(deadline, begun)),
+        deadline: budget.deadline.map(|deadline| less_reserve(deadline, begun, reserve)),
         iterations: question.iteration_limit,
         ..budget.clone()
     };
@@ -101,9 +104,19 @@ fn without_plan(answer: &LayoutAnswer) -> Option<Refused> {
 }
 
 /// When the engine has to stop, so that its answer is there at `deadline`.
-fn less_reserve(deadline: Instant, now: Instant) -> Instant {
+fn less_reserve(deadline: Instant, now: Instant, reserve: Duration) -> Instant {
     let left = deadline.saturating_duration_since(now);
-    now + left.saturating_sub(STOP_RESERVE.min(left / 4))
+    now + left.saturating_sub(reserve.min(left / 4))
+}
+
+/// How long the engine may take to say what it found.
+fn stop_reserve(layout: &SectionLayout, most_vertices: usize) -> Duration {
+    let vertices = |section: &traverse_geometry::Section| {
+        let own: usize = section.parts.iter().map(|part| part.shape.vertex_count()).sum();
+        own.saturating_mul(section.quantity as usize)
+    };
+    let all = layout.sections.iter().map(vertices).fold(0, usize::saturating_add).min(most_vertices);
+    STOP_RESERVE + RESERVE_PER_VERTEX * u32::try_from(all).unwrap_or(u32::MAX)
 }
 
 fn note_size(call: &Call, layout: &SectionLayout) {

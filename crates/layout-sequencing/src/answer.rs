@@ -39,7 +39,7 @@ pub struct LayoutPlan {
 /// What ordering says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LayoutAnswer {
-    /// The best layout found. Absent: no order is allowed, none was found in time, or it was cancelled.
+    /// The best layout found. Absent: no order is allowed, none was found, or the work was cancelled.
     pub plan: Option<LayoutPlan>,
     /// No layout is shorter; the engine's word. Never above the plan's length, and equal to it when proven.
     pub lower_bound_mm: f64,

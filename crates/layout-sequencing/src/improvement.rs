@@ -5,6 +5,8 @@
 use crate::instance::Instance;
 use crate::moves::Change;
 use crate::neighbours::Neighbours;
+use crate::pace::Pace;
+use crate::places::Places;
 use crate::progress::Progress;
 use crate::sequence::Sequence;
 use rand::RngExt;
@@ -19,7 +21,7 @@ const MOST_TRIALS: u64 = 64_000;
 /// and at its end.
 const WARM: f64 = 0.05;
 const COLD: f64 = 0.000_5;
-/// Trials between two looks at the clock.
+/// Trials that are counted together. The clock is looked at within them, too.
 const BURST: u64 = 64;
 /// One trial in so many begins where a section is held off by another than its neighbour.
 const HELD_OFF_EVERY: u32 = 4;
@@ -37,10 +39,16 @@ impl<'a> Improvement<'a> {
         Ok(Self { instance, neighbours: Neighbours::of(instance, budget)?, seed, rounds: 0 })
     }
 
-    /// One more round. Whether it found anything better.
-    pub(crate) fn round(&mut self, progress: &mut Progress<'_>, budget: &Budget) -> Result<bool, Interrupt> {
+    /// One more round. Whether it found anything better, whose left edges are kept in `places`.
+    pub(crate) fn round(
+        &mut self,
+        progress: &mut Progress<'_>,
+        places: &mut Places,
+        budget: &Budget,
+    ) -> Result<bool, Interrupt> {
         let Some((best, before)) = progress.best() else { return Ok(false) };
-        let mut sequence = Sequence::new(self.instance, best.to_vec());
+        let mut sequence = Sequence::new(self.instance, best.to_vec(), budget)?;
+        let mut pace = Pace::of(budget);
         let count = sequence.items().len();
         let mut chance = self.seed.part(self.rounds).stream();
         let doubled = FIRST_TRIALS.saturating_mul(1 << self.rounds.min(30)).min(MOST_TRIALS);
@@ -66,16 +74,17 @@ impl<'a> Improvement<'a> {
                 if !change.draw(self.instance, sequence.items(), place, beside, &mut chance) {
                     continue;
                 }
-                let length = sequence.length_of(&change.spans);
+                let length = sequence.length_of(&change.spans, &mut pace)?;
                 let longer = (length - sequence.length()) as f64;
                 let kept =
                     longer <= 0.0 || longer < temperature * -chance.random_range(f64::MIN_POSITIVE..1.0).ln();
                 if kept {
-                    sequence.apply(&change.spans);
+                    sequence.apply(&change.spans, &mut pace)?;
                     debug_assert_eq!(sequence.length(), length, "a trial's length is that of its layout");
                     if length < shortest {
                         shortest = length;
                         progress.offer(sequence.items(), length);
+                        places.keep(sequence.items(), sequence.left_edges());
                     }
                 }
             }

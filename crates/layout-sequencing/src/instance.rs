@@ -91,13 +91,24 @@ impl Likeness {
 }
 
 impl Instance {
-    /// The instance of a layout without findings. Cost: O(n log n) for the envelopes; for the offsets linear in the
+    /// The instance of a layout without findings, offsets at hand. Cost: O(n log n) for the envelopes; for the offsets linear in the
     /// vertices for each pair of items, when there are few enough to keep them all.
+    #[cfg(test)]
     pub(crate) fn of(layout: &SectionLayout, threads: usize, budget: &Budget) -> Result<Self, Interrupt> {
-        let mut instance =
-            Self::without_offsets(layout, &|section| layout.sections[section].poses.clone(), budget)?;
-        instance.offsets = Offsets::of(&instance.items, instance.grid, threads, budget)?;
+        let mut instance = Self::of_envelopes(layout, budget)?;
+        instance.work_out_offsets(threads, budget)?;
         Ok(instance)
+    }
+
+    /// The same whose offsets are computed when they are asked for.
+    pub(crate) fn of_envelopes(layout: &SectionLayout, budget: &Budget) -> Result<Self, Interrupt> {
+        Self::without_offsets(layout, &|section| layout.sections[section].poses.clone(), budget)
+    }
+
+    /// Works out all offsets when they are few enough to keep. Interrupted, they stay to be computed.
+    pub(crate) fn work_out_offsets(&mut self, threads: usize, budget: &Budget) -> Result<(), Interrupt> {
+        self.offsets = Offsets::of(&self.items, self.grid, threads, budget)?;
+        Ok(())
     }
 
     /// The instance for placing one order: only the poses that stand in it, offsets when they are asked for.
@@ -195,6 +206,17 @@ impl Instance {
             SlideRule::KeepOrder => offset.max(0),
             SlideRule::Free => offset,
         }
+    }
+
+    /// What an offset costs, in steps of some nanoseconds.
+    #[inline]
+    pub(crate) fn offset_steps(&self, left: usize, right: usize) -> usize {
+        if self.offsets.are_kept() {
+            return 1;
+        }
+        let pieces = |envelope: &crate::envelope::Envelope| envelope.pieces.len();
+        let (left, right) = (&self.items[left].profile, &self.items[right].profile);
+        4 * (1 + pieces(&left.grown_right) + pieces(&right.left))
     }
 
     /// Whether all offsets are at hand.

@@ -9,16 +9,17 @@ use crate::profile::Profile;
 use crate::published_effect::Facing;
 use rustc_hash::FxHashMap;
 use traverse_geometry::{PlacedSection, Point, Pose, SectionLayout};
-use traverse_solve::{Budget, CancelToken};
+use traverse_solve::{Budget, Interrupt};
 
 /// Places an order exactly: each section as far left as the slide rule lets it go. `order` names known sections in
 /// allowed poses; any part of the copies will do, and `x_mm` is not read. Copies and poses come back as they went in.
 #[must_use]
 pub fn place(layout: &SectionLayout, order: &[PlacedSection]) -> Vec<PlacedSection> {
-    let Ok(instance) = Instance::of_order(layout, order, &Budget::unlimited()) else { return vec![] };
+    let unlimited = Budget::unlimited();
+    let Ok(instance) = Instance::of_order(layout, order, &unlimited) else { return vec![] };
     let sequence: Vec<usize> =
         order.iter().map(|placed| instance.item_of(placed.section, placed.pose)).collect();
-    let placing = Placing::of(&instance, &sequence);
+    let Ok(placing) = Placing::of(&instance, &sequence, &unlimited) else { return vec![] };
     let places = order.iter().zip(&placing.x);
     places.map(|(placed, &x)| PlacedSection { x_mm: instance.grid.mm(x), ..*placed }).collect()
 }
@@ -26,8 +27,17 @@ pub fn place(layout: &SectionLayout, order: &[PlacedSection]) -> Vec<PlacedSecti
 /// Places an order as the published model has it, by published effects of neighbours alone: sections may overlap.
 #[must_use]
 pub fn place_as_published(layout: &SectionLayout, order: &[PlacedSection]) -> Vec<PlacedSection> {
+    placed_as_published(layout, order, &Budget::unlimited()).unwrap_or_default()
+}
+
+fn placed_as_published(
+    layout: &SectionLayout,
+    order: &[PlacedSection],
+    budget: &Budget,
+) -> Result<Vec<PlacedSection>, Interrupt> {
     let mut facings: FxHashMap<(usize, Pose), Facing> = FxHashMap::default();
     for placed in order {
+        budget.check(0)?;
         facings
             .entry((placed.section, placed.pose))
             .or_insert_with(|| Facing::of(&layout.sections[placed.section], placed.pose));
@@ -35,6 +45,7 @@ pub fn place_as_published(layout: &SectionLayout, order: &[PlacedSection]) -> Ve
     let mut x_mm = 0.0;
     let mut places = vec![];
     for (at, placed) in order.iter().enumerate() {
+        budget.check(0)?;
         if let Some(before) = at.checked_sub(1).map(|before| &order[before]) {
             let (left, right) =
                 (&facings[&(before.section, before.pose)], &facings[&(placed.section, placed.pose)]);
@@ -42,7 +53,7 @@ pub fn place_as_published(layout: &SectionLayout, order: &[PlacedSection]) -> Ve
         }
         places.push(PlacedSection { x_mm, ..*placed });
     }
-    places
+    Ok(places)
 }
 
 /// The right end of what reaches furthest, millimetres; 0 for nothing.
@@ -68,37 +79,37 @@ pub(crate) fn bounding_box_length_mm(layout: &SectionLayout, order: &[PlacedSect
 /// before. Sections that nothing but the start of the strip or the slide rule stopped have none.
 #[must_use]
 pub fn contacts(layout: &SectionLayout, placed: &[PlacedSection]) -> Vec<Contact> {
-    contacts_unless(layout, placed, &CancelToken::new()).unwrap_or_default()
-}
-
-/// The same; none when cancelled.
-pub(crate) fn contacts_unless(
-    layout: &SectionLayout,
-    placed: &[PlacedSection],
-    cancel: &CancelToken,
-) -> Option<Vec<Contact>> {
     let mut profiles: FxHashMap<(usize, Pose), Profile> = FxHashMap::default();
     for section in placed {
-        if cancel.is_cancelled() {
-            return None;
-        }
         profiles
             .entry((section.section, section.pose))
             .or_insert_with(|| profile_of(&layout.sections[section.section], section.pose, layout.gap_mm));
     }
     let profile = |at: usize| &profiles[&(placed[at].section, placed[at].pose)];
+    contacts_by(layout, placed, profile, &Budget::unlimited()).unwrap_or_default()
+}
+
+/// The same with the profiles of the placed sections at hand. Cost: the joins of each section with those that reach it,
+/// up to the one that it touches.
+pub(crate) fn contacts_by<'p>(
+    layout: &SectionLayout,
+    placed: &[PlacedSection],
+    profile: impl Fn(usize) -> &'p Profile,
+    budget: &Budget,
+) -> Result<Vec<Contact>, Interrupt> {
     let mut found = vec![];
-    // The furthest that anything up to here can touch.
-    let mut reach: Vec<f64> = vec![];
+    // The furthest that anything up to here can touch, and that each can.
+    let (mut reach, mut own_reach): (Vec<f64>, Vec<f64>) = (vec![], vec![]);
     for index in 0..placed.len() {
-        if cancel.is_cancelled() {
-            return None;
-        }
+        budget.check(0)?;
         let x = placed[index].x_mm;
         let slides = profile(index);
         for against in (0..index).rev() {
             if reach[against] < x - CONTACT_MM {
                 break;
+            }
+            if own_reach[against] < x - CONTACT_MM {
+                continue;
             }
             let met = meeting(&profile(against).grown_right, &slides.left);
             let Some(met) = met.filter(|met| placed[against].x_mm + met.offset > x - CONTACT_MM) else {
@@ -113,16 +124,21 @@ pub(crate) fn contacts_unless(
             break;
         }
         let own = x + slides.width + layout.gap_mm;
+        own_reach.push(own);
         reach.push(reach.last().map_or(own, |&before| own.max(before)));
     }
-    Some(found)
+    Ok(found)
 }
 
 /// A section stands at most this far from what stopped it, millimetres: its place is rounded up to the grid.
 const CONTACT_MM: f64 = 2e-6;
 
 /// The sum of widths and gaps less the published effects of neighbours, millimetres.
-pub(crate) fn published_length_mm(layout: &SectionLayout, order: &[PlacedSection]) -> f64 {
-    let placed = place_as_published(layout, order);
-    placed.last().map_or(0.0, |last| last.x_mm + layout.sections[last.section].bounds().size().x)
+pub(crate) fn published_length_mm(
+    layout: &SectionLayout,
+    order: &[PlacedSection],
+    budget: &Budget,
+) -> Result<f64, Interrupt> {
+    let placed = placed_as_published(layout, order, budget)?;
+    Ok(placed.last().map_or(0.0, |last| last.x_mm + layout.sections[last.section].bounds().size().x))
 }

@@ -40,6 +40,7 @@
 //! # Ok::<(), Vec<traverse_geometry::Finding>>(())
 //! ```
 
+mod allowed_order;
 mod answer;
 mod best_first;
 mod certificate;
@@ -66,6 +67,8 @@ mod options;
 mod order;
 mod order_findings;
 mod outline;
+mod pace;
+mod places;
 mod placing;
 mod pose_choice;
 mod pose_prices;
@@ -84,6 +87,6 @@ pub use findings::{LARGEST_COPIES, LARGEST_PUBLISHED_COPIES, layout_findings};
 pub use join::{Join, join};
 pub use join_matrix::{JoinItem, JoinMatrix, joins};
 pub use layout::{contacts, layout_length_mm, place, place_as_published};
-pub use options::{Algorithm, EffectModel, InnerOverlap, OrderOptions};
+pub use options::{Algorithm, ContactList, EffectModel, InnerOverlap, OrderOptions};
 pub use order::order_sections;
 pub use published_effect::published_effect;

@@ -64,6 +64,16 @@ pub enum InnerOverlap {
     Allowed,
 }
 
+/// Whether a plan lists what stopped each section.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ContactList {
+    /// One join of neighbours or so for each section, after the search.
+    #[default]
+    Listed,
+    /// Nobody asks for them: the list is empty.
+    Omitted,
+}
+
 /// How sections are ordered.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OrderOptions {
@@ -76,6 +86,8 @@ pub struct OrderOptions {
     pub initial_order: Option<Vec<PlacedSection>>,
     /// Whether parts may overlap inside their section.
     pub inner_overlap: InnerOverlap,
+    /// Whether the plan lists contacts.
+    pub contacts: ContactList,
     /// Where chance comes from.
     pub seed: Seed,
     /// How many threads work, at least 1; 0 counts as 1. With 1 the same question, seed and iteration limit give the

@@ -1,9 +1,11 @@
 //! The one entry: validates, bounds, orders by the method asked for, places exactly, answers.
 //!
-//! The best method climbs: bounds that need no search; the order by neighbours, which is proven when the layout it
+//! First the order as it was sent is placed, or one that is allowed: whatever ends the time later, there is a layout. The
+//! best method climbs: bounds that need no search; the order by neighbours, which is proven when the layout it
 //! gives is as short as its bound; a round of local search on the true length; where a table of completions fits, or
 //! few sections slide freely, the search that proves; local search until the budget ends.
 
+use crate::allowed_order::allowed_order;
 use crate::answer::{Ending, LayoutAnswer, LayoutPlan};
 use crate::best_first::{Searched, search};
 use crate::certificate::BoundCertificate;
@@ -13,8 +15,9 @@ use crate::findings::layout_findings;
 use crate::height_bound::height_bound;
 use crate::improvement::Improvement;
 use crate::instance::{Instance, Kind};
-use crate::layout::{bounding_box_length_mm, contacts_unless, layout_length_mm, published_length_mm};
-use crate::options::{Algorithm, EffectModel, OrderOptions};
+use crate::layout::{bounding_box_length_mm, contacts_by, layout_length_mm, published_length_mm};
+use crate::options::{Algorithm, ContactList, EffectModel, OrderOptions};
+use crate::places::Places;
 use crate::placing::Placing;
 use crate::pose_choice::choose_poses;
 use crate::pose_prices::order_at_prices;
@@ -24,7 +27,9 @@ use crate::relaxation::{Relaxed, relax};
 use traverse_geometry::{Finding, PlacedSection, SectionLayout};
 use traverse_solve::{Budget, Interrupt, Observer};
 
-/// What of the budget the order by neighbours may take.
+/// What of the budget all offsets may take; beyond it each is computed when it is asked for.
+const OFFSETS_SHARE: f64 = 0.4;
+/// What of what is left the order by neighbours may take.
 const RELAXATION_SHARE: f64 = 0.4;
 /// The same where joins are computed when asked for: there it is most of what can be done.
 const LAZY_RELAXATION_SHARE: f64 = 0.7;
@@ -47,7 +52,7 @@ const PATIENCE: u32 = 4;
 ///
 /// # Errors
 /// Everything that is wrong with the question, as [`layout_findings`] says. When the budget ends before that is known
-/// the answer has no plan; neither when it was cancelled.
+/// the answer has no plan; nor has it when it ends before one order is placed, or when it is cancelled: nobody waits then.
 pub fn order_sections(
     layout: &SectionLayout,
     options: &OrderOptions,
@@ -70,10 +75,16 @@ pub fn order_sections(
         Ok(findings) => return Err(findings),
         Err(interrupt) => return Ok(unknown(interrupt)),
     }
-    let instance = match Instance::of(layout, options.threads, &preparation) {
+    let mut instance = match Instance::of_envelopes(layout, &preparation) {
         Ok(instance) => instance,
         Err(interrupt) => return Ok(unknown(interrupt)),
     };
+    let start = match start(layout, options, &instance, &preparation) {
+        Ok(start) => start,
+        Err(interrupt) => return Ok(unknown(interrupt)),
+    };
+    let share = preparation.share(OFFSETS_SHARE, 0);
+    let prepared = instance.work_out_offsets(options.threads, &share).or_else(|_| preparation.check(0));
     let mut order = Order {
         layout,
         instance: &instance,
@@ -81,11 +92,47 @@ pub fn order_sections(
         budget,
         preparation: &preparation,
         progress: Progress::new(&instance, options.gap_limit, observer),
+        places: Places::default(),
         certificate: BoundCertificate::None,
         certified: 0,
     };
-    let ending = order.run().unwrap_or_else(Ending::Interrupted);
+    if let Some((items, placing)) = start {
+        order.offer(&items, &placing);
+    }
+    let ending = prepared.and_then(|()| order.run()).unwrap_or_else(Ending::Interrupted);
     Ok(order.answer(ending))
+}
+
+/// The order that was sent, otherwise the sections as they were sent or as near to that as is allowed, placed.
+fn start(
+    layout: &SectionLayout,
+    options: &OrderOptions,
+    instance: &Instance,
+    budget: &Budget,
+) -> Result<Option<(Vec<usize>, Placing)>, Interrupt> {
+    let items: Option<Vec<usize>> = match &options.initial_order {
+        Some(order) => {
+            let items: Vec<usize> =
+                order.iter().map(|placed| instance.item_of(placed.section, placed.pose)).collect();
+            let kinds: Vec<usize> = items.iter().map(|&item| instance.items[item].kind).collect();
+            instance.is_allowed(&kinds).then_some(items)
+        }
+        // What a method of 2009 finds is its own.
+        None if options.algorithm.is_published() || options.effect_model == EffectModel::Published => None,
+        None => {
+            let kinds = (0..instance.sections()).map(|section| instance.kind_of(section));
+            let copies = kinds.zip(&layout.sections);
+            let sent: Vec<usize> = copies
+                .flat_map(|(kind, section)| std::iter::repeat_n(kind, section.quantity as usize))
+                .collect();
+            let allowed =
+                if instance.is_allowed(&sent) { Some(sent) } else { allowed_order(instance, &sent) };
+            allowed.map(|kinds| kinds.iter().map(|&kind| instance.kinds[kind].items.start).collect())
+        }
+    };
+    let Some(items) = items else { return Ok(None) };
+    let placing = Placing::of(instance, &items, budget)?;
+    Ok(Some((items, placing)))
 }
 
 struct Order<'a> {
@@ -96,13 +143,14 @@ struct Order<'a> {
     /// The same without a limit of iterations.
     preparation: &'a Budget,
     progress: Progress<'a>,
+    /// Where the best layout stands, unless a search found it that keeps no places.
+    places: Places,
     certificate: BoundCertificate,
     certified: i64,
 }
 
 impl Order<'_> {
     fn run(&mut self) -> Result<Ending, Interrupt> {
-        self.offer_given();
         let (bound, certificate) = height_bound(self.instance, self.preparation)?;
         self.certified = bound;
         self.certificate = certificate;
@@ -126,9 +174,13 @@ impl Order<'_> {
         if decided {
             return Ok(if self.progress.is_proven() { Ending::ProvenOptimal } else { Ending::Exhausted });
         }
-        if let Some(order) = relaxed.order.filter(|order| self.instance.is_allowed(order)) {
+        // With precedence among many copies the order by neighbours does not know it.
+        let order = relaxed.order.and_then(|order| {
+            if self.instance.is_allowed(&order) { Some(order) } else { allowed_order(self.instance, &order) }
+        });
+        if let Some(order) = order {
             let items = choose_poses(self.instance, &order, self.preparation)?;
-            self.progress.offer(&items, Placing::of(self.instance, &items).length());
+            self.place_and_offer(&items)?;
         }
         self.order_at_prices()?;
         self.search()
@@ -142,7 +194,7 @@ impl Order<'_> {
         let budget = self.budget.share(PRICES_SHARE, self.progress.iterations());
         let seed = self.options.seed.part(2);
         match order_at_prices(self.instance, seed, &mut self.progress, &budget) {
-            Ok(Some(items)) => self.progress.offer(&items, Placing::of(self.instance, &items).length()),
+            Ok(Some(items)) => self.place_and_offer(&items)?,
             Ok(None) => {}
             // Its share is used up; what follows has its own.
             Err(_) => self.budget.check(self.progress.iterations())?,
@@ -150,30 +202,16 @@ impl Order<'_> {
         Ok(())
     }
 
-    /// The order that was sent, or the sections as they were sent, where that is allowed.
-    fn offer_given(&mut self) {
-        let instance = self.instance;
-        let items: Vec<usize> = match &self.options.initial_order {
-            Some(order) => order.iter().map(|placed| instance.item_of(placed.section, placed.pose)).collect(),
-            // What a method of 2009 finds is its own.
-            None if self.options.algorithm.is_published()
-                || self.options.effect_model == EffectModel::Published =>
-            {
-                return;
-            }
-            None => {
-                let sections = (0..instance.sections()).map(|section| instance.kind_of(section));
-                let copies = sections.zip(&self.layout.sections);
-                copies
-                    .flat_map(|(kind, section)| {
-                        std::iter::repeat_n(instance.kinds[kind].items.start, section.quantity as usize)
-                    })
-                    .collect()
-            }
-        };
-        let kinds: Vec<usize> = items.iter().map(|&item| instance.items[item].kind).collect();
-        if instance.is_allowed(&kinds) {
-            self.progress.offer(&items, Placing::of(instance, &items).length());
+    fn place_and_offer(&mut self, items: &[usize]) -> Result<(), Interrupt> {
+        let placing = Placing::of(self.instance, items, self.preparation)?;
+        self.offer(items, &placing);
+        Ok(())
+    }
+
+    fn offer(&mut self, items: &[usize], placing: &Placing) {
+        if placing.length() < self.progress.upper() {
+            self.progress.offer(items, placing.length());
+            self.places.keep(items, &placing.x);
         }
     }
 
@@ -197,7 +235,7 @@ impl Order<'_> {
         let part = if self.instance.has_all_offsets() { RELAXATION_SHARE } else { LAZY_RELAXATION_SHARE };
         let budget = self.budget.share(part, self.progress.iterations());
         let (seed, threads) = (self.options.seed, self.options.threads);
-        let relaxed = relax(self.instance, seed, threads, &mut self.progress, &budget)?;
+        let relaxed = relax(self.instance, seed, threads, &mut self.progress, &budget, self.preparation)?;
         if relaxed.certified > self.certified {
             self.certified = relaxed.certified;
             self.certificate = relaxed.certificate.clone();
@@ -211,7 +249,7 @@ impl Order<'_> {
             return Ok(self.close_ending());
         }
         let mut improvement = Improvement::new(instance, seed, self.preparation)?;
-        improvement.round(&mut self.progress, self.budget)?;
+        improvement.round(&mut self.progress, &mut self.places, self.budget)?;
         if self.progress.is_close_enough() {
             return Ok(self.close_ending());
         }
@@ -228,7 +266,11 @@ impl Order<'_> {
             if self.progress.best().is_none() || (!limited && idle >= PATIENCE) {
                 return Ok(Ending::Exhausted);
             }
-            idle = if improvement.round(&mut self.progress, self.budget)? { 0 } else { idle + 1 };
+            idle = if improvement.round(&mut self.progress, &mut self.places, self.budget)? {
+                0
+            } else {
+                idle + 1
+            };
         }
     }
 
@@ -279,7 +321,7 @@ impl Order<'_> {
 
     fn answer(self, ending: Ending) -> LayoutAnswer {
         let grid = self.instance.grid;
-        let plan = self.progress.best().and_then(|(items, _)| self.plan(items));
+        let plan = self.progress.best().and_then(|(items, _)| self.plan(items).ok());
         let length_mm = plan.as_ref().map_or(f64::INFINITY, |plan| plan.length_mm);
         let proven = self.progress.is_proven();
         let bound = if proven { length_mm } else { grid.mm(self.progress.bound()).min(length_mm) };
@@ -295,14 +337,20 @@ impl Order<'_> {
         }
     }
 
-    /// None when cancelled: what it says takes time, and nobody waits for it.
-    fn plan(&self, items: &[usize]) -> Option<LayoutPlan> {
-        let cancel = &self.budget.cancel;
-        if cancel.is_cancelled() {
-            return None;
-        }
-        let placing = Placing::of(self.instance, items);
-        let mut order = self.instance.named(items, &placing.x);
+    /// What is left to say of the best order once the search is over. Only a cancel ends it: what it costs is in
+    /// proportion to the layout.
+    fn plan(&self, items: &[usize]) -> Result<LayoutPlan, Interrupt> {
+        let budget = Budget { deadline: None, iterations: None, cancel: self.budget.cancel.clone() };
+        budget.check(0)?;
+        let placed;
+        let left_edges = match self.places.of(items) {
+            Some(left_edges) => left_edges,
+            None => {
+                placed = Placing::of(self.instance, items, &budget)?;
+                &placed.x
+            }
+        };
+        let mut order = self.instance.named(items, left_edges);
         if let Some(given) = self.options.initial_order.as_ref().filter(|given| is_same_order(given, &order))
         {
             // The order that was sent keeps the names of its copies.
@@ -312,11 +360,15 @@ impl Order<'_> {
                 .map(|(given, placed)| PlacedSection { x_mm: placed.x_mm, ..*given })
                 .collect();
         }
-        Some(LayoutPlan {
-            contacts: contacts_unless(self.layout, &order, cancel)?,
+        let profile = |at: usize| &self.instance.items[items[at]].profile;
+        Ok(LayoutPlan {
             length_mm: layout_length_mm(self.layout, &order),
             bounding_box_length_mm: bounding_box_length_mm(self.layout, &order),
-            published_length_mm: published_length_mm(self.layout, &order),
+            published_length_mm: published_length_mm(self.layout, &order, &budget)?,
+            contacts: match self.options.contacts {
+                ContactList::Listed => contacts_by(self.layout, &order, profile, &budget)?,
+                ContactList::Omitted => vec![],
+            },
             order,
         })
     }

@@ -258,7 +258,10 @@ mod tests {
             let plain = bound_of(&instance, &free, &work).expect("no limit").0.expect("nothing is forbidden");
             let mut silent = Silent;
             let mut progress = Progress::new(&instance, None, &mut silent);
-            progress.offer(&items, crate::placing::Placing::of(&instance, &items).length());
+            progress.offer(
+                &items,
+                crate::placing::Placing::of(&instance, &items, &budget).expect("no limit").length(),
+            );
             let best = best_prices(&instance, &mut progress, sum_of_widths(&instance), &budget);
             let best = priced(&instance, &best).expect("small");
             let best = bound_of(&instance, &best, &work).expect("no limit").0.expect("nothing is forbidden");

@@ -25,8 +25,7 @@ pub(crate) fn order_as_published(
         .flat_map(|kind| std::iter::repeat_n(kind, instance.quantity(kind)))
         .collect();
     if copies.len() < 2 {
-        offer(instance, &copies, progress);
-        return Ok(());
+        return offer(instance, &copies, progress, budget);
     }
     let effects = kind_effects(layout, instance, model, budget)?;
     let kinds = instance.kinds.len();
@@ -53,15 +52,22 @@ pub(crate) fn order_as_published(
     // The matrix is square and its costs are in range: no findings.
     let _ = order_with_every_end(&matrix, copies.len(), model, &options, budget, &mut heard);
     if let Some(order) = best.filter(|order| instance.is_allowed(order)) {
-        offer(instance, &order, progress);
+        // Its share may be used up: what was found counts all the same.
+        offer(instance, &order, progress, &Budget { deadline: None, iterations: None, ..budget.clone() })?;
     }
     progress.add_iterations(copies.len() as u64);
     budget.check(progress.iterations())
 }
 
-fn offer(instance: &Instance, order: &[usize], progress: &mut Progress<'_>) {
+fn offer(
+    instance: &Instance,
+    order: &[usize],
+    progress: &mut Progress<'_>,
+    budget: &Budget,
+) -> Result<(), Interrupt> {
     let items: Vec<usize> = order.iter().map(|&kind| instance.kinds[kind].items.start).collect();
-    progress.offer(&items, Placing::of(instance, &items).length());
+    progress.offer(&items, Placing::of(instance, &items, budget)?.length());
+    Ok(())
 }
 
 /// Effects of kinds in their first poses, on the grid, row by row.

@@ -13,7 +13,7 @@ use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt, Observer, Seed, Silent};
 use traverse_tours::{
     Certificate, CostMatrix, Ending, FORBIDDEN, Shape, SolveOptions, TourAnswer, TourSpecification, solve,
-    verify_certificate,
+    verify_certificate_within,
 };
 
 /// The most copies that the ladder takes; with precedence, where every copy is a node.
@@ -39,13 +39,14 @@ pub(crate) struct Relaxed {
 }
 
 /// Orders by neighbours; bounds are told to `progress` where they hold for layouts. Interrupted or not, what was found
-/// comes back.
+/// comes back. The certificate is verified within `whole`, as the search may have used up its own budget.
 pub(crate) fn relax(
     instance: &Instance,
     seed: Seed,
     threads: usize,
     progress: &mut Progress<'_>,
     budget: &Budget,
+    whole: &Budget,
 ) -> Result<Relaxed, Interrupt> {
     if instance.copies == 1 {
         return Ok(Relaxed { order: Some(vec![0]), ..Relaxed::default() });
@@ -90,7 +91,7 @@ pub(crate) fn relax(
     };
     if instance.rule == SlideRule::KeepOrder && !relaxed.infeasible {
         progress.raise_bound(answer.lower_bound + widths);
-        certify(instance, specification, &options, answer, &mut relaxed, budget);
+        certify(instance, specification, &options, answer, &mut relaxed, whole);
     }
     Ok(relaxed)
 }
@@ -121,7 +122,7 @@ fn certify(
         }
     };
     let plain = TourSpecification { precedence: vec![], ..specification };
-    if let Ok(proven) = verify_certificate(&plain, &answer.certificate) {
+    if let Ok(Ok(proven)) = verify_certificate_within(&plain, &answer.certificate, budget) {
         relaxed.certified = proven + sum_of_widths(instance);
         relaxed.certificate = BoundCertificate::Joins(duals_of_sections(instance, &answer.certificate));
     }

@@ -7,8 +7,10 @@
 //! placed again.
 
 use crate::instance::Instance;
+use crate::pace::Pace;
 use crate::placing::Placing;
 use traverse_geometry::SlideRule;
+use traverse_solve::{Budget, Interrupt};
 
 /// A piece of a new sequence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,8 +38,8 @@ pub(crate) struct Sequence<'a> {
 }
 
 impl<'a> Sequence<'a> {
-    pub(crate) fn new(instance: &'a Instance, items: Vec<usize>) -> Self {
-        let placing = Placing::of(instance, &items);
+    pub(crate) fn new(instance: &'a Instance, items: Vec<usize>, budget: &Budget) -> Result<Self, Interrupt> {
+        let placing = Placing::of(instance, &items, budget)?;
         let mut sequence = Self {
             instance,
             items,
@@ -48,7 +50,11 @@ impl<'a> Sequence<'a> {
             position: vec![0; instance.kinds.len()],
         };
         sequence.sum_up(0);
-        sequence
+        Ok(sequence)
+    }
+
+    pub(crate) fn left_edges(&self) -> &[i64] {
+        &self.placing.x
     }
 
     pub(crate) fn items(&self) -> &[usize] {
@@ -94,25 +100,21 @@ impl<'a> Sequence<'a> {
     }
 
     /// The length that the spans together would have. They hold every position once.
-    pub(crate) fn length_of(&mut self, spans: &[Span]) -> i64 {
+    pub(crate) fn length_of(&mut self, spans: &[Span], pace: &mut Pace) -> Result<i64, Interrupt> {
         match self.instance.rule {
-            SlideRule::KeepOrder => self.kept_order_length(spans),
+            SlideRule::KeepOrder => self.kept_order_length(spans, pace),
             SlideRule::Free => {
                 let kept = self.materialise(spans);
-                let mut placing = Placing {
-                    x: self.placing.x[..kept].to_vec(),
-                    reach: self.placing.reach[..kept].to_vec(),
-                    end: self.placing.end[..kept].to_vec(),
-                };
+                let mut placing = self.placing.beginning(kept);
                 for at in kept..self.tried.len() {
-                    placing.push(self.instance, &self.tried, at);
+                    placing.push(self.instance, &self.tried, at, pace)?;
                 }
-                placing.length()
+                Ok(placing.length())
             }
         }
     }
 
-    fn kept_order_length(&mut self, spans: &[Span]) -> i64 {
+    fn kept_order_length(&mut self, spans: &[Span], pace: &mut Pace) -> Result<i64, Interrupt> {
         let longest = self.instance.longest_reach;
         let mut tail = std::mem::take(&mut self.tail);
         tail.clear();
@@ -120,7 +122,7 @@ impl<'a> Sequence<'a> {
         for (number, &span) in spans.iter().enumerate() {
             match span {
                 Span::New(item) => {
-                    x = self.next_place(&tail, item, x);
+                    x = self.next_place(&tail, item, x, pace)?;
                     end = end.max(x + self.instance.items[item].width);
                     tail.push((item, x));
                 }
@@ -147,7 +149,7 @@ impl<'a> Sequence<'a> {
                             break;
                         }
                         let item = self.items[at];
-                        x = self.next_place(&tail, item, x);
+                        x = self.next_place(&tail, item, x, pace)?;
                         end = end.max(x + self.instance.items[item].width);
                         tail.push((item, x));
                         let shift = x - self.placing.x[at];
@@ -160,7 +162,7 @@ impl<'a> Sequence<'a> {
             }
         }
         self.tail = tail;
-        end
+        Ok(end)
     }
 
     /// The tail after the position `to`, everything before it shifted alike.
@@ -176,45 +178,64 @@ impl<'a> Sequence<'a> {
         tail.reverse();
     }
 
-    fn next_place(&self, tail: &[(usize, i64)], item: usize, before: i64) -> i64 {
+    fn next_place(
+        &self,
+        tail: &[(usize, i64)],
+        item: usize,
+        before: i64,
+        pace: &mut Pace,
+    ) -> Result<i64, Interrupt> {
         let mut x = before;
+        let mut passed = 0;
         for &(earlier, place) in tail.iter().rev() {
             if place + self.instance.longest_reach <= x {
                 break;
             }
+            passed += 1;
             if place + self.instance.items[earlier].reach > x {
+                pace.spend(self.instance.offset_steps(earlier, item))?;
                 x = x.max(place + self.instance.offset(earlier, item));
             }
         }
-        x
+        pace.spend(passed)?;
+        Ok(x)
     }
 
-    /// Puts the spans together for good.
-    pub(crate) fn apply(&mut self, spans: &[Span]) {
+    /// Puts the spans together for good. Interrupted, the sequence is of no more use.
+    pub(crate) fn apply(&mut self, spans: &[Span], pace: &mut Pace) -> Result<(), Interrupt> {
         let kept = self.materialise(spans);
         std::mem::swap(&mut self.items, &mut self.tried);
         if self.instance.rule == SlideRule::Free {
             self.placing.truncate(kept);
             for at in kept..self.items.len() {
-                self.placing.push(self.instance, &self.items, at);
+                self.placing.push(self.instance, &self.items, at, pace)?;
             }
         } else {
             let before = self.placing.x.clone();
             self.placing.truncate(kept);
             for &span in spans {
                 match span {
-                    Span::New(_) => self.placing.push(self.instance, &self.items, self.placing.x.len()),
+                    Span::New(_) => {
+                        self.placing.push(self.instance, &self.items, self.placing.x.len(), pace)?;
+                    }
                     // What stands as it was at the beginning is placed.
                     Span::Old(0, to) if to == kept => {}
-                    Span::Old(from, to) => self.place_span(&before, from, to),
+                    Span::Old(from, to) => self.place_span(&before, from, to, pace)?,
                 }
             }
         }
         self.sum_up(kept);
+        Ok(())
     }
 
     /// Places a span of the sequence before: what shifts alike is not held against its neighbours again.
-    fn place_span(&mut self, before: &[i64], from: usize, to: usize) {
+    fn place_span(
+        &mut self,
+        before: &[i64],
+        from: usize,
+        to: usize,
+        pace: &mut Pace,
+    ) -> Result<(), Interrupt> {
         let mut steady: Option<(i64, i64)> = None;
         for at in from..to {
             let number = self.placing.x.len();
@@ -224,12 +245,13 @@ impl<'a> Sequence<'a> {
                 self.placing.push_at(self.instance, self.items[number], before[at] + shift);
                 continue;
             }
-            self.placing.push(self.instance, &self.items, number);
+            self.placing.push(self.instance, &self.items, number, pace)?;
             let shift = self.placing.x[number] - before[at];
             if steady.is_none_or(|(known, _)| known != shift) {
                 steady = Some((shift, before[at]));
             }
         }
+        Ok(())
     }
 
     /// Writes the new sequence into `tried`; how many items at its beginning are as they were.

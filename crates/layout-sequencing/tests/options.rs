@@ -7,8 +7,8 @@ use std::time::Duration;
 use traverse_checker::check_sections;
 use traverse_geometry::{CONTACT_TOLERANCE_MM, PlacedSection, Pose, Section, SectionLayout, SlideRule};
 use traverse_layout_sequencing::{
-    Algorithm, BoundCertificate, EffectModel, Ending, InnerOverlap, LayoutAnswer, OrderOptions, join, joins,
-    order_sections, place, published_effect,
+    Algorithm, BoundCertificate, ContactList, EffectModel, Ending, InnerOverlap, LayoutAnswer, OrderOptions,
+    contacts, join, joins, order_sections, place, published_effect,
 };
 use traverse_solve::{Budget, CancelToken, Effort, Interrupt, Observer, Seed, Silent};
 use traverse_tours::{FORBIDDEN, Method, SectionModel, SolveOptions, order_with_every_end};
@@ -168,6 +168,31 @@ fn a_time_that_is_over_leaves_no_plan_but_an_answer() {
     let effort = Effort { time_limit: Some(Duration::ZERO), ..Effort::default() };
     let answer = ordered(&layout(5, 1), &permissive(), &effort.budget_from_now(CancelToken::new()));
     assert_eq!((answer.plan, answer.ending), (None, Ending::Interrupted(Interrupt::Deadline)));
+}
+
+#[test]
+fn precedence_among_more_sections_than_are_proven_leaves_a_layout() {
+    let mut layout = layout(420, 3);
+    layout.sections.iter_mut().for_each(|section| section.quantity = 2);
+    layout.precedences = vec![(419, 0), (7, 3), (3, 2)];
+    layout.first = Some(5);
+    layout.last = Some(2);
+    let budget = Budget { iterations: Some(2_000), ..Budget::unlimited() };
+    let plan = ordered(&layout, &permissive(), &budget).plan.expect("there are allowed orders");
+    assert_eq!(plan.order.len(), 840);
+    assert!(check_sections(&layout, &plan.order, CONTACT_TOLERANCE_MM).is_sound());
+}
+
+#[test]
+fn contacts_are_listed_unless_they_are_omitted() {
+    let layout = layout(6, 2);
+    let budget = Budget::unlimited();
+    let listed = ordered(&layout, &permissive(), &budget).plan.unwrap();
+    assert_eq!(listed.contacts, contacts(&layout, &listed.order));
+    assert!(!listed.contacts.is_empty());
+    let options = OrderOptions { contacts: ContactList::Omitted, ..permissive() };
+    let omitted = ordered(&layout, &options, &budget).plan.unwrap();
+    assert_eq!((omitted.contacts, omitted.order), (vec![], listed.order));
 }
 
 /// What the certificate proves, recomputed with joins alone.

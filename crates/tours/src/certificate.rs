@@ -11,6 +11,7 @@ use crate::cost::{Costs, FORBIDDEN};
 use crate::cuts::crossing::Crossing;
 use crate::exact_bound::{Duals, PARTS};
 use crate::network::Network;
+use traverse_solve::{Budget, Interrupt};
 
 /// Duals that prove a bound.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -116,29 +117,42 @@ pub fn verify_certificate(
     specification: &TourSpecification,
     certificate: &Certificate,
 ) -> Result<i64, CertificateFault> {
+    verify_certificate_within(specification, certificate, &Budget::unlimited()).unwrap_or(Ok(0))
+}
+
+/// The same, as long as `budget` lasts: it is looked at for every set and row.
+///
+/// # Errors
+/// That the budget ended; within, why the certificate proves nothing.
+pub fn verify_certificate_within(
+    specification: &TourSpecification,
+    certificate: &Certificate,
+    budget: &Budget,
+) -> Result<Result<i64, CertificateFault>, Interrupt> {
     if !specification.findings().is_empty() {
-        return Err(CertificateFault::Specification);
+        return Ok(Err(CertificateFault::Specification));
     }
     let network = Network::of(specification);
     if network.visits() < 2 {
-        return Ok(0);
+        return Ok(Ok(0));
     }
     let nodes = network.size;
     for duals in [&certificate.row, &certificate.column] {
         if duals.len() != nodes {
-            return Err(CertificateFault::Size { duals: duals.len(), nodes });
+            return Ok(Err(CertificateFault::Size { duals: duals.len(), nodes }));
         }
     }
     if !(1..=1 << 30).contains(&certificate.parts) {
-        return Err(CertificateFault::Parts { parts: certificate.parts });
+        return Ok(Err(CertificateFault::Parts { parts: certificate.parts }));
     }
     let mut weights = vec![0_i128; nodes * nodes];
     let mut total = 0_i128;
     for (set, (members, weight)) in certificate.sets.iter().enumerate() {
+        budget.check(0)?;
         let mut inside = vec![false; nodes];
         let fresh = members.iter().all(|&node| node < nodes && !std::mem::replace(&mut inside[node], true));
         if !fresh || members.is_empty() || members.len() >= nodes || *weight < 0 {
-            return Err(CertificateFault::Set { set });
+            return Ok(Err(CertificateFault::Set { set }));
         }
         total += i128::from(*weight);
         for &from in members {
@@ -148,6 +162,7 @@ pub fn verify_certificate(
         }
     }
     for from in 0..nodes {
+        budget.check(0)?;
         let count = i128::from(network.counts[from]);
         total += count * (i128::from(certificate.row[from]) + i128::from(certificate.column[from]));
         for to in 0..nodes {
@@ -156,9 +171,9 @@ pub fn verify_certificate(
                 + i128::from(certificate.column[to])
                 + weights[from * nodes + to];
             if cost != FORBIDDEN && asked > i128::from(cost) * i128::from(certificate.parts) {
-                return Err(CertificateFault::Arc { from, to });
+                return Ok(Err(CertificateFault::Arc { from, to }));
             }
         }
     }
-    Ok(rounded_up(total, certificate.parts))
+    Ok(Ok(rounded_up(total, certificate.parts)))
 }

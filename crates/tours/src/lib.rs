@@ -67,7 +67,7 @@ mod work;
 
 pub use answer::{Ending, Tour, TourAnswer};
 pub use assignment::{Assignment, Matched};
-pub use certificate::{Certificate, CertificateFault, verify_certificate};
+pub use certificate::{Certificate, CertificateFault, verify_certificate, verify_certificate_within};
 pub use cost::{Costs, FORBIDDEN, LARGEST_COST, LARGEST_VISITS};
 pub use finding::Finding;
 pub use lazy_search::{LazyAnswer, search_lazily};

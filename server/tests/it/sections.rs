@@ -4,13 +4,14 @@ use crate::bad_input::{findings, found, reason};
 use crate::http::call;
 use crate::request::{point, square};
 use crate::running::Running;
+use rand::RngExt;
 use std::time::Duration;
 use tonic::Code;
 use traverse_geometry::Finding;
 use traverse_layout_sequencing::{Algorithm, LayoutAnswer, OrderOptions, order_sections};
 use traverse_proto::{OrderQuestion, v1};
 use traverse_server::{Config, Engines};
-use traverse_solve::{Budget, Observer, Silent};
+use traverse_solve::{Budget, Observer, Seed, Silent};
 
 fn part(id: &str, xy_mm: Vec<f64>) -> v1::Part {
     let outer = v1::Ring { xy_mm, bulges: vec![] };
@@ -473,4 +474,67 @@ async fn the_best_layout_at_the_time_limit_is_an_answer() {
     request.set_timeout(Duration::from_millis(400));
     let answer = server.client().await.order_sections(request).await.expect("in time").into_inner();
     assert_eq!(answer.report.expect("told").stop_reason(), v1::StopReason::Deadline);
+}
+
+/// Ragged sections of so many corners, all as high.
+fn ragged(count: usize, corners: usize) -> Vec<v1::Section> {
+    let mut random = Seed(1).stream();
+    let rows = corners / 2;
+    let ragged = |number: usize| {
+        let mut xy = vec![];
+        for row in 0..rows {
+            xy.extend([20.0 + random.random_range(0.0..9.0), 100.0 * row as f64 / (rows - 1) as f64]);
+        }
+        for row in (0..rows).rev() {
+            xy.extend([random.random_range(0.0..9.0), 100.0 * row as f64 / (rows - 1) as f64]);
+        }
+        section(&format!("s{number}"), vec![part("p", xy)])
+    };
+    (0..count).map(ragged).collect()
+}
+
+#[tokio::test]
+async fn thousands_of_rich_sections_have_a_layout_when_the_time_is_over() {
+    let server = Running::start().await;
+    let time_limit = Some(prost_types::Duration { seconds: 3, nanos: 0 });
+    let request = v1::OrderSectionsRequest {
+        sections: ragged(2_000, 40),
+        return_contacts: true,
+        options: Some(v1::SolveOptions { time_limit, ..Default::default() }),
+        ..Default::default()
+    };
+    let answer = ordered(&server, request).await;
+    assert_eq!(answer.order.len(), 2_000);
+    assert!(answer.contacts.len() > 1_900);
+}
+
+/// Finds no order, and does not know whether there is one.
+struct Clueless;
+
+impl Engines for Clueless {
+    fn order_sections(
+        &self,
+        _: &OrderQuestion,
+        _: &Budget,
+        _: &mut dyn Observer,
+    ) -> Result<LayoutAnswer, Vec<Finding>> {
+        Ok(LayoutAnswer {
+            plan: None,
+            lower_bound_mm: 10.0,
+            certificate: traverse_layout_sequencing::BoundCertificate::None,
+            certified_lower_bound_mm: 0.0,
+            ending: traverse_layout_sequencing::Ending::Exhausted,
+            iterations: 1,
+            algorithm: "best",
+        })
+    }
+}
+
+#[tokio::test]
+async fn an_order_that_was_not_found_is_not_said_to_be_good() {
+    let server = Running::with(Config::on_free_port(), Clueless).await;
+    let answer = ordered(&server, arrows()).await;
+    assert!(answer.order.is_empty() && !answer.no_order);
+    let report = answer.report.expect("told");
+    assert_eq!((report.gap_ratio, report.stop_reason()), (1.0, v1::StopReason::Converged));
 }

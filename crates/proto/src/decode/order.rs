@@ -6,7 +6,7 @@ use super::reader::Reader;
 use crate::{Limits, Refused, v1};
 use std::time::Duration;
 use traverse_geometry::{Finding, Reason, SectionLayout};
-use traverse_layout_sequencing::{Algorithm, EffectModel, InnerOverlap, OrderOptions};
+use traverse_layout_sequencing::{Algorithm, ContactList, EffectModel, InnerOverlap, OrderOptions};
 use traverse_solve::{Budget, Seed};
 
 /// What OrderSections asks. Every value is sound by itself; what they are to one another the engine looks at.
@@ -91,6 +91,7 @@ impl Reader<'_> {
             effect_model: effect_model?,
             initial_order: initial_order?,
             inner_overlap: inner_overlap(request.allow_overlap_inside),
+            contacts: if returns.contacts { ContactList::Listed } else { ContactList::Omitted },
             seed: Seed(seed?),
             threads: usize::try_from(threads?).unwrap_or(usize::MAX),
             gap_limit: gap_limit.filter(|&gap| gap > 0.0),

@@ -3,6 +3,7 @@
 use super::path::point;
 use super::request::polygon;
 use crate::v1;
+use traverse_checker::{CERTIFICATE_NODE_LIMIT, CERTIFIED_PAIR_LIMIT};
 use traverse_geometry::{Motion, Part, PlacedSection, Pose, Section, SectionLayout, SlideRule, Vector};
 use traverse_layout_sequencing::{Algorithm, EffectModel, InnerOverlap, OrderOptions};
 
@@ -62,20 +63,36 @@ pub fn order_request(layout: &SectionLayout, options: &OrderOptions) -> v1::Orde
 }
 
 /// The request that asks whether what OrderSections answered is an answer to `request`: the layout, and what certifies its bound where
-/// that was returned.
+/// that was returned and is not more than CheckSections takes.
 #[must_use]
 pub fn check_sections_request(
     request: v1::OrderSectionsRequest,
     answer: &v1::OrderSectionsResponse,
 ) -> v1::CheckSectionsRequest {
-    let report = answer.report.as_ref().filter(|report| report.certificate.is_some());
+    let report = answer.report.as_ref().filter(|report| {
+        report.certificate.as_ref().is_some_and(|certificate| is_checkable(&request.sections, certificate))
+    });
+    let (certificate, claimed_lower_bound_mm) = match report {
+        Some(report) => (report.certificate.clone(), report.certified_lower_bound),
+        None => (None, None),
+    };
     v1::CheckSectionsRequest {
         request: Some(request),
         order: answer.order.clone(),
         tolerance_mm: None,
-        certificate: report.and_then(|report| report.certificate.clone()),
-        claimed_lower_bound_mm: report.and_then(|report| report.certified_lower_bound),
+        certificate,
+        claimed_lower_bound_mm,
     }
+}
+
+/// Whether the checker takes a certificate of that many sections: duals are held against every pair.
+fn is_checkable(sections: &[v1::Section], certificate: &v1::Certificate) -> bool {
+    if certificate.row_duals.is_empty() {
+        return true;
+    }
+    let items: usize = sections.iter().map(|section| section.allowed_poses.len().max(1)).sum();
+    let listed: usize = certificate.sets.iter().map(|set| set.nodes.len()).sum();
+    items.saturating_mul(items) <= CERTIFIED_PAIR_LIMIT && listed <= CERTIFICATE_NODE_LIMIT
 }
 
 fn section(section: &Section) -> v1::Section {
@@ -146,6 +163,25 @@ fn rotation_of(motion: &Motion) -> f64 {
 mod tests {
     use super::*;
     use traverse_geometry::{Point, Polygon, Ring};
+
+    #[test]
+    fn a_certificate_that_the_checker_would_refuse_is_left_out_with_its_bound() {
+        let certificate = v1::Certificate { row_duals: vec![0.0], ..Default::default() };
+        let report = v1::SolveReport {
+            certificate: Some(certificate),
+            certified_lower_bound: Some(1.0),
+            ..Default::default()
+        };
+        let answer = v1::OrderSectionsResponse { report: Some(report), ..Default::default() };
+        let asked = |count: usize| {
+            let sections = vec![v1::Section::default(); count];
+            let request = v1::OrderSectionsRequest { sections, ..Default::default() };
+            let check = check_sections_request(request, &answer);
+            (check.certificate.is_some(), check.claimed_lower_bound_mm)
+        };
+        assert_eq!(asked(2_400), (true, Some(1.0)));
+        assert_eq!(asked(2_450), (false, None));
+    }
 
     #[test]
     fn placed_parts_stand_where_their_section_puts_them() {

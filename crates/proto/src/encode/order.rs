@@ -88,6 +88,8 @@ fn report(question: &OrderQuestion, answer: &LayoutAnswer, facts: &SearchFacts) 
     let cost = answer.plan.as_ref().map(|plan| plan.length_mm);
     let gap_ratio = match cost {
         Some(cost) if cost > 0.0 => ((cost - answer.lower_bound_mm) / cost).clamp(0.0, 1.0),
+        // No plan, and not proven that there is none: nothing is known.
+        None if !answer.is_proven() => 1.0,
         _ => 0.0,
     };
     let certificate =
