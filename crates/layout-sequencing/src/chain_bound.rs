@@ -10,7 +10,7 @@ use crate::instance::Instance;
 use crate::progress::Progress;
 use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt, Seed, Silent};
-use traverse_tours::{CostMatrix, Shape, SolveOptions, TourSpecification, solve};
+use traverse_tours::{CostMatrix, Ending, LARGEST_COST, Shape, SolveOptions, TourSpecification, solve};
 
 /// The most kinds and copies for which it is tried.
 const MOST_KINDS: usize = 40;
@@ -100,7 +100,12 @@ fn length(
     }
     let number = |kind: usize| kinds.iter().position(|&member| member == kind);
     let costs = kinds.iter().flat_map(|&left| kinds.iter().map(move |&right| (left, right)));
-    let costs = costs.map(|(left, right)| instance.chain_cost(left, right)).collect();
+    let longest = progress.upper().min(instance.sum_of_reaches());
+    let costs: Vec<i64> = costs.map(|(left, right)| instance.chain_cost(left, right, longest)).collect();
+    // What tours can't take is counted in a coarser unit, rounded down.
+    let largest = costs.iter().map(|cost| cost.unsigned_abs()).max().unwrap_or(0);
+    let unit = largest.div_ceil(LARGEST_COST as u64).max(1) as i64;
+    let costs = costs.into_iter().map(|cost| cost.div_euclid(unit)).collect();
     let Ok(costs) = CostMatrix::new(kinds.len(), costs) else { return Ok(0) };
     let pairs = instance.all_precedences().filter_map(|(a, b)| Some((number(a)?, number(b)?)));
     let mut precedence: Vec<(usize, usize)> = pairs.collect();
@@ -121,7 +126,10 @@ fn length(
     match solve(&specification, &options, &limited, &mut Silent) {
         Ok(answer) => {
             progress.add_iterations(answer.iterations + 1);
-            Ok(answer.lower_bound.saturating_add(widths))
+            if answer.ending == Ending::ProvenInfeasible {
+                return Ok(0);
+            }
+            Ok(answer.lower_bound.saturating_mul(unit).saturating_add(widths))
         }
         Err(_) => Ok(0),
     }

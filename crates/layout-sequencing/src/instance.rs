@@ -12,7 +12,6 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use traverse_geometry::{PlacedSection, Pose, Section, SectionLayout, SlideRule};
 use traverse_solve::{Budget, Interrupt};
-use traverse_tours::LARGEST_COST;
 
 /// Copies that are interchangeable.
 #[derive(Clone, Debug)]
@@ -246,13 +245,14 @@ impl Instance {
     }
 
     /// The least offset of one kind behind another in any poses, less the left one's width: what a chain of sections
-    /// counts. Holds for both slide rules.
-    pub(crate) fn chain_cost(&self, left: usize, right: usize) -> i64 {
+    /// counts. Holds for both slide rules in every layout no longer than `longest`: there the left one ends, and the right
+    /// one begins, within that length, also where nothing is in the way.
+    pub(crate) fn chain_cost(&self, left: usize, right: usize, longest: i64) -> i64 {
         let width = self.items[self.kinds[left].items.start].width;
         let pairs =
             self.kinds[left].items.clone().flat_map(|i| self.kinds[right].items.clone().map(move |j| (i, j)));
         let least = pairs.map(|(i, j)| self.offset(i, j)).min().unwrap_or(0);
-        least.max(-LARGEST_COST / 2) - width.min(LARGEST_COST / 2)
+        (least - width).max(-longest)
     }
 
     /// The least cost of one kind behind another in any poses, as a path of kinds counts it: what the offset leaves of
@@ -267,6 +267,12 @@ impl Instance {
         let pairs =
             self.kinds[left].items.clone().flat_map(|i| self.kinds[right].items.clone().map(move |j| (i, j)));
         pairs.map(offset).min().map(|offset| offset - width)
+    }
+
+    /// No layout is longer than all reaches together.
+    pub(crate) fn sum_of_reaches(&self) -> i64 {
+        let boxes = |kind: &Kind| self.items[kind.items.start].reach * kind.copies.len() as i64;
+        self.kinds.iter().map(boxes).sum()
     }
 
     /// How many copies a kind has.

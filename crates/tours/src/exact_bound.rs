@@ -44,13 +44,13 @@ impl ExactBound {
     /// What the duals prove about arcs with these bounds.
     pub(crate) fn of(counts: &[u32], arcs: &[BoundedArc], cuts: &[Crossing], duals: &Duals) -> Self {
         let size = counts.len();
-        let mut weights = vec![0_i64; size * size];
+        let mut weights = vec![0_i128; size * size];
         let mut parts = 0_i128;
         for &(cut, weight) in &duals.cuts {
             parts += i128::from(weight);
             for &from in cuts[cut].from() {
                 for &to in cuts[cut].to() {
-                    weights[from * size + to] = weights[from * size + to].saturating_add(weight);
+                    weights[from * size + to] += i128::from(weight);
                 }
             }
         }
@@ -63,7 +63,7 @@ impl ExactBound {
                 i128::from(arc.cost) * i128::from(PARTS)
                     - i128::from(duals.row[arc.from])
                     - i128::from(duals.column[arc.to])
-                    - i128::from(weights[arc.from * size + arc.to])
+                    - weights[arc.from * size + arc.to]
             })
             .collect();
         for (arc, &reduced) in arcs.iter().zip(&reduced) {
