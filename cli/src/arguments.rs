@@ -126,7 +126,7 @@ pub(crate) struct Rapid {
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, required_unless_present = "program")]
     pub(crate) to: Option<Point>,
     /// Replaces the rapid moves of this G-code program instead, and tells what that saves. Write it with -o OUT.nc.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "request", "server", "algorithm", "leave", "enter", "start_z"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "request", "server", "algorithm", "leave", "enter", "start_z", "alternatives"])]
     pub(crate) program: Option<PathBuf>,
     /// At this Z of the program, millimetres, and above it nothing is in the way. Default: nowhere.
     #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "program")]
@@ -182,7 +182,7 @@ pub(crate) struct Rapid {
     /// So many other ways round are wanted as well, shortest first, at most 16.
     #[arg(long, value_name = "COUNT", default_value_t = 0)]
     pub(crate) alternatives: usize,
-    /// Stop after this long, seconds. Default: the server's.
+    /// Stop after this long, seconds. Default: the server's; with --program no limit.
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) time_limit: Option<Duration>,
     /// Plan although parts of the drawing could not be used: the path may run through them.

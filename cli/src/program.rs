@@ -13,7 +13,7 @@ use traverse_drawing::{ArcMotion, GcodePlane, GcodeUnit, Machine, Shown, Straigh
 use traverse_geometry::{Path, RapidMotion, RapidRules};
 use traverse_planner::as_run;
 use traverse_programs::{
-    Done, Link, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
+    Done, Link, Program, ReadOptions, Reason, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
 };
 use traverse_solve::Budget;
 
@@ -60,6 +60,9 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     };
     say!("{table}");
     match rewritten.outcomes.iter().filter(|outcome| outcome.still_hits()).count() {
+        0 if rewritten.outcomes.iter().any(|outcome| outcome.done == Done::Left(Reason::Interrupted)) => {
+            Err(Failure::NotNow("time was over before every rapid move was looked at (see above)".to_owned()))
+        }
         0 => Ok(()),
         1 => {
             Err(Failure::Violations("1 rapid move still comes too near to something (see above)".to_owned()))

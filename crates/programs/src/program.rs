@@ -108,10 +108,10 @@ impl Reader<'_> {
                 self.close();
                 self.retract_line = None;
             }
-            Deed::Vague => {
+            Deed::Vague(reason) => {
                 self.close();
                 self.retract_line = None;
-                self.program.untouched.push((line.number, Reason::MotionUnknown));
+                self.program.untouched.push((line.number, reason));
             }
             Deed::Fault(fault) => {
                 self.close();

@@ -59,7 +59,10 @@ impl Found {
 /// are.
 pub trait RapidPlanner {
     /// What lies on `path`, by code that shares nothing with the planning.
-    fn look(&self, travel: &Travel, path: &Path) -> Found;
+    ///
+    /// # Errors
+    /// Why it is not known: time was over.
+    fn look(&self, travel: &Travel, path: &Path) -> Result<Found, Reason>;
 
     /// What a way costs, in a unit of the planner's own.
     fn cost(&self, path: &Path) -> f64 {

@@ -81,9 +81,14 @@ impl Linking<'_> {
         let before = self.link.path();
         let before_mm = before.length();
         let travel = self.travel();
-        let hits = if before_mm > 0.0 { self.planner.look(&travel, &before).hits } else { Vec::new() };
         let mut outcome =
-            Outcome { before_mm, after_mm: before_mm, fed_mm: 0.0, hits, done: Done::Unchanged };
+            Outcome { before_mm, after_mm: before_mm, fed_mm: 0.0, hits: Vec::new(), done: Done::Unchanged };
+        if before_mm > 0.0 {
+            match self.planner.look(&travel, &before) {
+                Ok(found) => outcome.hits = found.hits,
+                Err(reason) => return (Outcome { done: Done::Left(reason), ..outcome }, Vec::new()),
+            }
+        }
         let fed = self.options.straight != StraightMotion::Rapid;
         if before_mm == 0.0 || (self.link.blocks.len() == 1 && outcome.hits.is_empty() && !fed) {
             return (outcome, Vec::new());
@@ -103,7 +108,7 @@ impl Linking<'_> {
                 (outcome, changes)
             }
             Err(reason) => {
-                if !outcome.hits.is_empty() || fed {
+                if !outcome.hits.is_empty() || fed || reason == Reason::Interrupted {
                     outcome.done = Done::Left(reason);
                 }
                 (outcome, Vec::new())
@@ -130,7 +135,7 @@ impl Linking<'_> {
         let travel = Travel { straight: if fed { Straight::Fed } else { Straight::Rapid }, ..*travel };
         let mut straight = Path::at(travel.from);
         straight.line_to(travel.to);
-        let direct = self.planner.look(&travel, &straight).is_free();
+        let direct = self.planner.look(&travel, &straight)?.is_free();
         let before = self.planner.cost(&self.link.path());
         let gains = |way: &Path| {
             !now.hits.is_empty() || fed || self.planner.cost(way) < before - self.planner.least_gain()
@@ -161,7 +166,7 @@ impl Linking<'_> {
                     leaves_last: leaves_last(self.link, self.options.straight),
                 };
                 let rounded = rounding.round(&way)?;
-                if self.is_sound(&travel, &rounded, grid) {
+                if self.is_sound(&travel, &rounded, grid)? {
                     if !gains(&rounded.path) {
                         return Ok(None);
                     }
@@ -186,8 +191,8 @@ impl Linking<'_> {
     }
 
     /// Whether the rounded way keeps the clearance, and comes to where the last block relies on being.
-    fn is_sound(&self, travel: &Travel, rounded: &Rounded, grid: Grid) -> bool {
-        let found = self.planner.look(travel, &rounded.path);
+    fn is_sound(&self, travel: &Travel, rounded: &Rounded, grid: Grid) -> Result<bool, Reason> {
+        let found = self.planner.look(travel, &rounded.path)?;
         let room = found.margin_mm.is_none_or(|margin| margin >= rounded.off_mm - CONTACT_TOLERANCE_MM);
         let arrives = rounded.moves.last().is_none_or(|last| {
             let Some(block) = self.link.blocks.last() else { return false };
@@ -198,7 +203,7 @@ impl Linking<'_> {
             carries(0, short.x) && carries(1, short.y)
         });
         let arrives = arrives && (!rounded.moves.is_empty() || leaves_last(self.link, self.options.straight));
-        found.is_free() && arrives && (room || rounded.off_mm == 0.0)
+        Ok(found.is_free() && arrives && (room || rounded.off_mm == 0.0))
     }
 
     /// Fed arcs where they are asked for and can be taken back, then chords.

@@ -10,8 +10,8 @@ use traverse_checker::{PathCheck, RapidMoveChecker};
 use traverse_geometry::{
     ArcOutput, CONTACT_TOLERANCE_MM, CostUnit, Path, Point, RapidMotion, RapidRules, Scene, unit,
 };
-use traverse_planner::{Algorithm, Answer, RapidMove, Refusal, plan_rapid_move, travel_cost};
-use traverse_solve::{Budget, Silent};
+use traverse_planner::{Algorithm, Answer, PreparedScene, RapidMove, Refusal, travel_cost};
+use traverse_solve::{Budget, Interrupt, Silent};
 
 /// An end within the reserve is left by a step of so many reserves.
 const STEP_OUT_RESERVES: f64 = 3.0;
@@ -46,27 +46,32 @@ pub struct ScenePlanner<'a> {
 struct Prepared<'a> {
     scene: &'a Scene,
     checker: RapidMoveChecker<'a>,
-    /// Scenes with more clearance, by the bits of how much more.
-    wider: RefCell<BTreeMap<u64, Rc<Scene>>>,
+    /// Scenes with more clearance, by the bits of how much more: each is taken apart once for all links.
+    wider: RefCell<BTreeMap<u64, Kept>>,
 }
+
+/// A scene that links share: what can be seen in it is worked out once.
+type Kept = Rc<RefCell<PreparedScene>>;
 
 impl<'a> Prepared<'a> {
     fn new(scene: &'a Scene) -> Self {
         Self { scene, checker: RapidMoveChecker::new(scene), wider: RefCell::default() }
     }
 
-    fn wider(&self, reserve_mm: f64) -> Rc<Scene> {
-        let make = || {
-            let mut scene = self.scene.clone();
-            scene.clearance_mm += reserve_mm;
-            scene.work_area_clearance_mm =
-                scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
-            for obstacle in &mut scene.obstacles {
-                obstacle.clearance_mm = obstacle.clearance_mm.map(|clearance| clearance + reserve_mm);
-            }
-            Rc::new(scene)
-        };
-        self.wider.borrow_mut().entry(reserve_mm.to_bits()).or_insert_with(make).clone()
+    /// The scene with so much more clearance.
+    fn wider(&self, reserve_mm: f64, budget: &Budget) -> Result<Kept, Interrupt> {
+        if let Some(kept) = self.wider.borrow().get(&reserve_mm.to_bits()) {
+            return Ok(kept.clone());
+        }
+        let mut scene = self.scene.clone();
+        scene.clearance_mm += reserve_mm;
+        scene.work_area_clearance_mm = scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
+        for obstacle in &mut scene.obstacles {
+            obstacle.clearance_mm = obstacle.clearance_mm.map(|clearance| clearance + reserve_mm);
+        }
+        let kept = Rc::new(RefCell::new(PreparedScene::new(scene, budget)?));
+        self.wider.borrow_mut().insert(reserve_mm.to_bits(), kept.clone());
+        Ok(kept)
     }
 }
 
@@ -120,10 +125,11 @@ impl<'a> ScenePlanner<'a> {
         })
     }
 
-    fn plan(&self, scene: &Scene, travel: &Travel, from: Point, to: Point) -> Result<Path, Stop> {
+    fn plan(&self, scene: &Kept, travel: &Travel, from: Point, to: Point) -> Result<Path, Stop> {
         let (algorithm, rules) = (Algorithm::Exact, self.rules(travel));
         let query = RapidMove { start: from, target: to, algorithm, rules };
-        match plan_rapid_move(scene, &query, self.budget, &mut Silent).map_err(Stop::Refused)? {
+        let answer = scene.borrow_mut().plan(&query, self.budget, &mut Silent);
+        match answer.map_err(Stop::Refused)? {
             (Answer::Plan(plan), _) => Ok(plan.path),
             (Answer::NoPath(no_path), _) => Err(Stop::NoPath(no_path.separating_obstacles)),
         }
@@ -133,10 +139,13 @@ impl<'a> ScenePlanner<'a> {
     fn reason(&self, prepared: &Prepared<'_>, travel: &Travel, stop: &Stop, reserve_mm: f64) -> Reason {
         let refusals = match stop {
             Stop::Refused(refusals) => refusals,
-            Stop::NoPath(_) => match self.plan(prepared.scene, travel, travel.from, travel.to) {
-                Err(Stop::NoPath(separating)) => return Reason::NoPath { separating },
-                _ => return Reason::Rounding,
-            },
+            Stop::NoPath(_) => {
+                let Ok(scene) = prepared.wider(0.0, self.budget) else { return Reason::Interrupted };
+                return match self.plan(&scene, travel, travel.from, travel.to) {
+                    Err(Stop::NoPath(separating)) => Reason::NoPath { separating },
+                    _ => Reason::Rounding,
+                };
+            }
         };
         refusals.iter().find_map(|refusal| too_deep(refusal, reserve_mm)).unwrap_or(Reason::Rounding)
     }
@@ -145,7 +154,7 @@ impl<'a> ScenePlanner<'a> {
     fn step_out(
         &self,
         prepared: &Prepared<'_>,
-        wider: &Scene,
+        wider: &Kept,
         travel: &Travel,
         end: Point,
         reserve_mm: f64,
@@ -155,20 +164,18 @@ impl<'a> ScenePlanner<'a> {
             let beside = end + unit(angle) * (STEP_OUT_RESERVES * reserve_mm);
             let mut path = Path::at(end);
             path.line_to(beside);
-            let free = self.check(prepared, travel, &path).is_sound();
+            let free = self.check(prepared, travel, &path).is_some_and(|check| check.is_sound());
             (free && self.plan(wider, travel, beside, beside).is_ok()).then_some(beside)
         })
     }
 }
 
 impl ScenePlanner<'_> {
-    fn check(&self, prepared: &Prepared<'_>, travel: &Travel, path: &Path) -> PathCheck {
+    /// None: time was over.
+    fn check(&self, prepared: &Prepared<'_>, travel: &Travel, path: &Path) -> Option<PathCheck> {
         let rules = self.rules(travel);
-        let check =
-            prepared
-                .checker
-                .check_while(&rules, path.start, path.end(), path, CONTACT_TOLERANCE_MM, &|| true);
-        check.expect("invariant: only a no gives up")
+        let go_on = || self.budget.check(0).is_ok();
+        prepared.checker.check_while(&rules, path.start, path.end(), path, CONTACT_TOLERANCE_MM, &go_on)
     }
 }
 
@@ -189,11 +196,11 @@ impl Stop {
 }
 
 impl RapidPlanner for ScenePlanner<'_> {
-    fn look(&self, travel: &Travel, path: &Path) -> Found {
+    fn look(&self, travel: &Travel, path: &Path) -> Result<Found, Reason> {
         if self.is_above_all(travel) {
-            return Found { hits: Vec::new(), margin_mm: None };
+            return Ok(Found { hits: Vec::new(), margin_mm: None });
         }
-        let check = self.check(self.prepared(travel), travel, path);
+        let check = self.check(self.prepared(travel), travel, path).ok_or(Reason::Interrupted)?;
         let mut hits: Vec<String> = Vec::new();
         for violation in check.violations {
             let id = violation.obstacle.unwrap_or_else(|| violation.reason.to_string());
@@ -201,7 +208,7 @@ impl RapidPlanner for ScenePlanner<'_> {
                 hits.push(id);
             }
         }
-        Found { hits, margin_mm: check.smallest_margin_mm }
+        Ok(Found { hits, margin_mm: check.smallest_margin_mm })
     }
 
     fn cost(&self, path: &Path) -> f64 {
@@ -218,7 +225,7 @@ impl RapidPlanner for ScenePlanner<'_> {
     fn shortest(&self, travel: &Travel, reserve_mm: f64) -> Result<Path, Reason> {
         let prepared = self.prepared(travel);
         let reserve_mm = reserve_mm * self.more_room(travel);
-        let wider = prepared.wider(reserve_mm);
+        let wider = prepared.wider(reserve_mm, self.budget).map_err(|_| Reason::Interrupted)?;
         let stop = match self.plan(&wider, travel, travel.from, travel.to) {
             Ok(path) => return Ok(path),
             Err(stop) => stop,

@@ -77,7 +77,9 @@ impl Settled {
         let Some(sides) = self.0.get(lane.feature as usize) else { return false };
         sides[lane.side as usize].iter().any(|paid| {
             let turn = (offset - paid.offset) * lane.side.sign();
-            paid.stretch == lane.stretch as u32 && turn >= -TURN_TOLERANCE && holds(paid.cost + arc(paid.offset))
+            paid.stretch == lane.stretch as u32
+                && turn >= -TURN_TOLERANCE
+                && holds(paid.cost + arc(paid.offset))
         })
     }
 }
