@@ -1,4 +1,5 @@
-//! Plans and checks in the plane: obstacles reach up without end, but for a height above which nothing is in the way.
+//! Plans and checks round the obstacles of scenes, and over those whose tops are known where that is asked for; others
+//! reach up without end, but for a height above which nothing is in the way.
 
 use crate::rapid_planner::{Found, LEAST_GAIN_MM, RapidPlanner, Straight, Travel};
 use crate::reason::Reason;
@@ -8,7 +9,7 @@ use std::f64::consts::TAU;
 use std::rc::Rc;
 use traverse_checker::{PathCheck, RapidMoveChecker};
 use traverse_geometry::{
-    ArcOutput, CONTACT_TOLERANCE_MM, CostUnit, Path, Point, RapidMotion, RapidRules, Scene, unit,
+    ArcOutput, CONTACT_TOLERANCE_MM, CostUnit, HeightRule, Path, Point, RapidMotion, RapidRules, Scene, unit,
 };
 use traverse_planner::{Algorithm, Answer, PreparedScene, RapidMove, Refusal, travel_cost};
 use traverse_solve::{Budget, Interrupt, Silent};
@@ -33,11 +34,21 @@ pub struct ToolScenes {
     pub safe_z_mm: Option<f64>,
 }
 
+/// Lets the tool pass over obstacles whose tops are known. Heights count in the program's coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassingOver {
+    /// Kept above every top, millimetres, not negative. Absent: the scene's clearance.
+    pub clearance_z_mm: Option<f64>,
+    /// No run rises higher, unless it begins or ends higher, millimetres. Absent: no higher than it begins and ends.
+    pub highest_z_mm: Option<f64>,
+}
+
 /// Plans round the obstacles of scenes.
 pub struct ScenePlanner<'a> {
     scenes: &'a ToolScenes,
     /// What ways cost and how G0 runs; nothing else.
     rules: RapidRules,
+    over: Option<PassingOver>,
     budget: &'a Budget,
     any: Prepared<'a>,
     by_tool: BTreeMap<u32, Prepared<'a>>,
@@ -90,10 +101,31 @@ impl<'a> ScenePlanner<'a> {
         Self {
             scenes,
             rules,
+            over: None,
             budget,
             any: Prepared::new(&scenes.any),
             by_tool: scenes.by_tool.iter().map(|(tool, scene)| (*tool, Prepared::new(scene))).collect(),
         }
+    }
+
+    /// The same, passing over what is low. Costs by axes or with acceleration need a speed of Z.
+    #[must_use]
+    pub fn passing_over(self, over: PassingOver) -> Self {
+        Self { over: Some(over), ..self }
+    }
+
+    /// Heights of a way, as far as they count.
+    fn heights(&self, travel: &Travel) -> Option<HeightRule> {
+        let over = self.over?;
+        let [start_z_mm, target_z_mm] = travel.ends_z.or_else(|| travel.z.map(|z| [z, z]))?;
+        let least = start_z_mm.max(target_z_mm);
+        let highest = over.highest_z_mm.filter(|_| travel.ends_z.is_some());
+        Some(HeightRule {
+            start_z_mm,
+            target_z_mm,
+            highest_z_mm: highest.map_or(least, |highest| highest.max(least)),
+            clearance_z_mm: over.clearance_z_mm.unwrap_or(self.prepared(travel).scene.clearance_mm),
+        })
     }
 
     fn prepared(&self, travel: &Travel) -> &Prepared<'a> {
@@ -113,7 +145,7 @@ impl<'a> ScenePlanner<'a> {
     fn rules(&self, travel: &Travel) -> RapidRules {
         let motion = if travel.straight == Straight::Fed { RapidMotion::Linear } else { self.rules.motion };
         let arcs = if motion == RapidMotion::DogLeg { travel.arcs } else { ArcOutput::Arcs };
-        RapidRules { motion, arcs, ..self.rules.clone() }
+        RapidRules { motion, arcs, heights: self.heights(travel), ..self.rules.clone() }
     }
 
     /// How much more room a dog-leg needs than a line for the same rounding: where its ends move by as much, its corner
@@ -130,7 +162,8 @@ impl<'a> ScenePlanner<'a> {
         let query = RapidMove { start: from, target: to, algorithm, rules };
         let answer = scene.borrow_mut().plan(&query, self.budget, &mut Silent);
         match answer.map_err(Stop::Refused)? {
-            (Answer::Plan(plan), _) => Ok(plan.path),
+            (Answer::Plan(plan), _) if travel.ends_z.is_some() => Ok(plan.path),
+            (Answer::Plan(plan), _) => Ok(plan.path.in_plane()),
             (Answer::NoPath(no_path), _) => Err(Stop::NoPath(no_path.separating_obstacles)),
         }
     }
@@ -175,6 +208,9 @@ impl ScenePlanner<'_> {
     fn check(&self, prepared: &Prepared<'_>, travel: &Travel, path: &Path) -> Option<PathCheck> {
         let rules = self.rules(travel);
         let go_on = || self.budget.check(0).is_ok();
+        let at_level = rules.heights.filter(|_| path.start_z_mm.is_none());
+        let at_level = at_level.map(|heights| path.clone().at_level(heights.start_z_mm));
+        let path = at_level.as_ref().unwrap_or(path);
         prepared.checker.check_while(&rules, path.start, path.end(), path, CONTACT_TOLERANCE_MM, &go_on)
     }
 }
@@ -211,6 +247,10 @@ impl RapidPlanner for ScenePlanner<'_> {
         Ok(Found { hits, margin_mm: check.smallest_margin_mm })
     }
 
+    fn knows_heights(&self) -> bool {
+        self.over.is_some()
+    }
+
     fn cost(&self, path: &Path) -> f64 {
         travel_cost(path, &self.rules.cost)
     }
@@ -231,7 +271,7 @@ impl RapidPlanner for ScenePlanner<'_> {
             Err(stop) => stop,
         };
         let reason = self.reason(prepared, travel, &stop, reserve_mm);
-        if reason != Reason::Rounding || matches!(stop, Stop::NoPath(_)) {
+        if reason != Reason::Rounding || matches!(stop, Stop::NoPath(_)) || travel.ends_z.is_some() {
             return Err(reason);
         }
         // Ends that keep the clearance but not the reserve are left by a small step first.
