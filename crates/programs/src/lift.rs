@@ -10,7 +10,7 @@ pub(crate) struct Vertical {
     pub(crate) block: RapidBlock,
     pub(crate) from_z: f64,
     pub(crate) to_z: f64,
-    /// Whether its number may be changed: no comment protects it, and it does nothing else.
+    /// Whether its number may be changed: no comment protects it.
     pub(crate) is_free: bool,
 }
 

@@ -236,16 +236,17 @@ impl Reader<'_> {
     }
 }
 
-/// The move along Z as far as it is known; none: it may not run, or more than Z moves.
+/// The move along Z as far as it is known; none: it may not run, or does more.
 fn vertical(line: Line, block: &Block, rapid: &Rapid, after: &Modal, protected: bool) -> Option<Vertical> {
     let moves_z = rapid.up_or_down && after.distance == Some(Distance::Absolute);
-    let runs = !matches!(rapid.role, RapidRole::Skippable | RapidRole::WithAxis(_) | RapidRole::Cycle);
+    // What else a block does would run at another height.
+    let runs = matches!(rapid.role, RapidRole::Plain | RapidRole::WithModes);
     let at = point(rapid.from).filter(|_| moves_z && runs)?;
     Some(Vertical {
         from_z: rapid.from[2]?,
         to_z: rapid.to[2]?,
         block: rapid_block(line, block, at, Distance::Absolute, after.unit)?,
-        is_free: !protected && matches!(rapid.role, RapidRole::Plain | RapidRole::WithModes),
+        is_free: !protected,
     })
 }
 
