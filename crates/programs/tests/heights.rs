@@ -61,8 +61,8 @@ fn a_retract_is_as_high_as_it_need_be() {
     let [outcome] = &found.outcomes[..] else { panic!("{found:?}") };
     assert_eq!((outcome.before_mm, outcome.after_mm), (56.0 + 100.0 + 52.0, 13.0 + 100.0 + 9.0));
     becomes(
-        "N10 g0 z55.000 (up)\nN20 x100 (over)\nN30 z3 m8\n",
-        "N10 g0 z12 (up)\nN20 x100 (over)\nN30 z3 m8\n",
+        "N10 g0 z55.000 (up)\nN20 x100 (over)\nN30 z3 (down)\n",
+        "N10 g0 z12 (up)\nN20 x100 (over)\nN30 z3 (down)\n",
     );
 }
 
@@ -88,6 +88,7 @@ fn what_is_as_good_or_not_known_stays_byte_for_byte() {
         "G0 Z#5\nX-100\nZ3\n",
         "G43 H1 G0 Z55\nX100\nG49\n",
         "G91\nG0 Z56\nX100\nZ-52\nG90\n",
+        "G0 Z55\nX100\nZ3 M8\n",
         "/G0 Z55\nG0 X-100\n",
         "G0 Z55\nM1\nX100\nM1\nZ3\n",
     ] {
