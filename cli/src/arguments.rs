@@ -126,7 +126,7 @@ pub(crate) struct Rapid {
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, required_unless_present = "program")]
     pub(crate) to: Option<Point>,
     /// Replaces the rapid moves of this G-code program instead, and tells what that saves. Write it with -o OUT.nc.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "request", "server", "algorithm", "leave", "enter", "start_z"])]
+    #[arg(long, value_name = "FILE", group = "passing_over", conflicts_with_all = ["to", "request", "server", "algorithm", "leave", "enter", "start_z", "alternatives"])]
     pub(crate) program: Option<PathBuf>,
     /// At this Z of the program, millimetres, and above it nothing is in the way. Default: nowhere.
     #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "program")]
@@ -156,20 +156,26 @@ pub(crate) struct Rapid {
     #[arg(long, value_name = "refuse|nearest|X,Y", default_value = "refuse", value_parser = end_rule, allow_hyphen_values = true)]
     pub(crate) enter: EndRule,
     /// Height of the start, millimetres. With it the tool may rise and pass over what is low enough.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "highest_z")]
+    #[arg(
+        long,
+        value_name = "MM",
+        allow_hyphen_values = true,
+        group = "passing_over",
+        requires = "highest_z"
+    )]
     pub(crate) start_z: Option<f64>,
     /// Height of the target, millimetres. Default: the start's.
     #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
     pub(crate) target_z: Option<f64>,
-    /// The tool never goes higher, millimetres.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    /// The tool never goes higher, millimetres. With --program: of the program's Z; default: its own highest rapid move.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "passing_over")]
     pub(crate) highest_z: Option<f64>,
     /// Kept above every top that is passed over, millimetres. Default: the largest clearance.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "passing_over")]
     pub(crate) clearance_z: Option<f64>,
     /// Height of the top of every obstacle for which the machine's profile names none, millimetres. Without one an obstacle
-    /// can't be passed over.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "start_z")]
+    /// can't be passed over. With --program retracts are planned, too, as soon as a top is known; tops count in its Z.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, requires = "passing_over")]
     pub(crate) top: Option<f64>,
     /// How barriers turn convex corners. Default: round.
     #[arg(long, value_enum)]
@@ -182,7 +188,7 @@ pub(crate) struct Rapid {
     /// So many other ways round are wanted as well, shortest first, at most 16.
     #[arg(long, value_name = "COUNT", default_value_t = 0)]
     pub(crate) alternatives: usize,
-    /// Stop after this long, seconds. Default: the server's.
+    /// Stop after this long, seconds. Default: the server's; with --program no limit.
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) time_limit: Option<Duration>,
     /// Plan although parts of the drawing could not be used: the path may run through them.

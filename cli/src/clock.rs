@@ -56,12 +56,15 @@ impl Clock {
         };
         let seconds_per_unit =
             if let Self::Steady { mm_per_min, .. } = self { 60.0 / mm_per_min } else { 1.0 };
-        let seconds = path.edges().map(|edge| match edge {
-            Edge::Arc(arc) => feed.map(|mm_per_min| 60.0 * arc.length() / mm_per_min),
-            Edge::Segment(segment) => {
-                let mut step = Path::at(segment.start);
-                step.line_to(segment.end);
-                Some(seconds_per_unit * travel_cost(&step, &cost))
+        let mut height = path.start_z_mm;
+        let seconds = path.edges().zip(&path.steps).map(|(edge, moved)| {
+            let from_z = std::mem::replace(&mut height, moved.z_mm);
+            match edge {
+                Edge::Arc(arc) => feed.map(|mm_per_min| 60.0 * arc.length() / mm_per_min),
+                Edge::Segment(segment) => {
+                    let step = Path { start: segment.start, start_z_mm: from_z, steps: vec![*moved] };
+                    Some(seconds_per_unit * travel_cost(&step, &cost))
+                }
             }
         });
         seconds.sum()
@@ -91,6 +94,11 @@ mod tests {
         };
         assert_eq!(seconds(&speeds(), RapidMotion::Linear), Some(Some(1.0)));
         assert_eq!(seconds(&speeds(), RapidMotion::DogLeg), Some(Some(1.6)));
+        let mut lifted = Path::at_height(Point::new(0.0, 0.0), 5.0);
+        lifted.height_to(105.0);
+        lifted.line_to(Point::new(60.0, 80.0));
+        let steady = Clock::of(&speeds(), RapidMotion::Linear, None);
+        assert_eq!(steady.unwrap().seconds(&lifted), Some(2.0));
         let limited = MachineSpeeds { acceleration_mm_per_s2: Some(1000.0), ..speeds() };
         assert_eq!(seconds(&limited, RapidMotion::Linear), Some(Some(1.1)));
         assert_eq!(seconds(&MachineSpeeds::default(), RapidMotion::Linear), None);

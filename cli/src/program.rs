@@ -10,10 +10,11 @@ use crate::{drawing_scene, input};
 use std::path::Path as FilePath;
 use std::time::Instant;
 use traverse_drawing::{ArcMotion, GcodePlane, GcodeUnit, Machine, Shown, StraightMotion, picture_of_plan};
-use traverse_geometry::{Path, RapidMotion, RapidRules};
+use traverse_geometry::{HeightRule, Path, RapidMotion, RapidRules, Scene};
 use traverse_planner::as_run;
 use traverse_programs::{
-    Done, Link, Program, ReadOptions, Rewritten, ScenePlanner, ToolScenes, WriteOptions, rewrite,
+    Done, Link, PassingOver, Program, ReadOptions, Reason, Rewritten, ScenePlanner, ToolScenes, WriteOptions,
+    rewrite,
 };
 use traverse_solve::Budget;
 
@@ -36,12 +37,22 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     let bytes = input::read(file)?;
     let program = Program::read(&bytes, &read_options)
         .map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-    let (any, by_tool) = drawing_scene::scenes_by_tool(arguments, machine.as_ref())?;
+    let (mut any, mut by_tool) = drawing_scene::scenes_by_tool(arguments, machine.as_ref())?;
+    let over = passing_over(arguments, &program, &any)?;
+    if let Some((over, safe_z)) = over.zip(arguments.safe_z) {
+        for scene in by_tool.values_mut().chain([&mut any]) {
+            lower_tops(scene, &over, safe_z);
+        }
+    }
     let scenes = ToolScenes { any, by_tool, safe_z_mm: arguments.safe_z };
     let mut budget = Budget::unlimited();
     budget.deadline = arguments.time_limit.and_then(|limit| Instant::now().checked_add(limit));
-    let rules = rules(arguments, machine.as_ref())?;
-    let rewritten = rewrite(&program, &ScenePlanner::by(&scenes, &rules, &budget), &write_options);
+    let rules = rules(arguments, machine.as_ref(), over.as_ref())?;
+    let mut planner = ScenePlanner::by(&scenes, &rules, &budget);
+    if let Some(over) = over {
+        planner = planner.passing_over(over);
+    }
+    let rewritten = rewrite(&program, &planner, &write_options);
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     for output in &arguments.output {
         match kind_of(output)? {
@@ -60,6 +71,9 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     };
     say!("{table}");
     match rewritten.outcomes.iter().filter(|outcome| outcome.still_hits()).count() {
+        0 if rewritten.outcomes.iter().any(|outcome| outcome.done == Done::Left(Reason::Interrupted)) => {
+            Err(Failure::NotNow("time was over before every rapid move was looked at (see above)".to_owned()))
+        }
         0 => Ok(()),
         1 => {
             Err(Failure::Violations("1 rapid move still comes too near to something (see above)".to_owned()))
@@ -70,15 +84,57 @@ pub(crate) fn run(arguments: &Rapid, file: &FilePath) -> Result<(), Failure> {
     }
 }
 
+/// How the tool passes over what is low: as soon as a top is known.
+fn passing_over(
+    arguments: &Rapid,
+    program: &Program<'_>,
+    scene: &Scene,
+) -> Result<Option<PassingOver>, Failure> {
+    if scene.obstacles.iter().all(|obstacle| obstacle.top_z_mm.is_none()) {
+        if arguments.highest_z.or(arguments.clearance_z).is_some() {
+            return Err(Failure::Input(
+                "no obstacle can be passed over, for no top is known; pass --top MM or state top_mm in the profile"
+                    .to_owned(),
+            ));
+        }
+        return Ok(None);
+    }
+    Ok(Some(PassingOver {
+        clearance_z_mm: arguments.clearance_z,
+        highest_z_mm: arguments.highest_z.or(program.highest_rapid_z_mm),
+    }))
+}
+
+/// No top reaches to where nothing is in the way.
+fn lower_tops(scene: &mut Scene, over: &PassingOver, safe_z_mm: f64) {
+    let highest = safe_z_mm - over.clearance_z_mm.unwrap_or(scene.clearance_mm);
+    for obstacle in &mut scene.obstacles {
+        obstacle.top_z_mm = Some(obstacle.top_z_mm.map_or(highest, |top| top.min(highest)));
+    }
+}
+
 /// What ways cost and how G0 runs.
-fn rules(arguments: &Rapid, machine: Option<&Machine>) -> Result<RapidRules, Failure> {
+fn rules(
+    arguments: &Rapid,
+    machine: Option<&Machine>,
+    over: Option<&PassingOver>,
+) -> Result<RapidRules, Failure> {
     if arguments.motion.arcs.is_some() {
         return Err(Failure::Input(
             "--arcs is for plans; a program's arcs are fed with --arc-feed or as the profile says, otherwise chords".to_owned(),
         ));
     }
     let rules = arguments.motion.rules(machine, arguments.arc_feed)?;
-    match rules.findings().first() {
+    let heights = over.map(|over| {
+        let z_mm = over.highest_z_mm.unwrap_or(0.0);
+        HeightRule {
+            start_z_mm: z_mm,
+            target_z_mm: z_mm,
+            highest_z_mm: z_mm,
+            clearance_z_mm: over.clearance_z_mm.unwrap_or(0.0),
+        }
+    });
+    match (RapidRules { heights, ..rules.clone() }).findings().first() {
         None => Ok(rules),
         Some(finding) => Err(Failure::Input(finding.message.clone())),
     }
@@ -142,11 +198,13 @@ fn picture(
     };
     let shown = program.links.iter().zip(&rewritten.outcomes).filter(|(link, _)| !passes_over(link));
     let (before, after): (Vec<Path>, Vec<Path>) = shown
-        .map(|(link, outcome)| {
-            let before = as_run(&link.path(), rules);
+        .map(|(_, outcome)| {
+            let before = as_run(&outcome.before.in_plane(), rules);
             match &outcome.done {
-                Done::Changed(path) if straight == StraightMotion::Rapid => (before, as_run(path, rules)),
-                Done::Changed(path) => (before, path.clone()),
+                Done::Changed(path) if straight == StraightMotion::Rapid => {
+                    (before, as_run(&path.in_plane(), rules))
+                }
+                Done::Changed(path) => (before, path.in_plane()),
                 _ => (before.clone(), before),
             }
         })

@@ -24,10 +24,9 @@ pub(crate) struct ProgramTable<'a> {
 
 impl ProgramTable<'_> {
     /// Seconds of a link as it was and as it is, where they are known.
-    fn seconds(&self, link: &Link, outcome: &Outcome) -> Option<[f64; 2]> {
+    fn seconds(&self, outcome: &Outcome) -> Option<[f64; 2]> {
         let [old, new] = self.clocks.as_ref()?;
-        let path = link.path();
-        let before = old.seconds(&path)?;
+        let before = old.seconds(&outcome.before)?;
         let after = match &outcome.done {
             Done::Changed(path) => new.seconds(path)?,
             _ => before,
@@ -46,10 +45,10 @@ impl ProgramTable<'_> {
         let times = if self.clocks.is_some() { "  before s   after s" } else { "" };
         writeln!(f, "lines           before mm   after mm   saved mm{times}")?;
         for (link, outcome) in changed.take(LISTED_CHANGES) {
-            let (first, last) = link.lines();
+            let (first, last) = lines(link, outcome);
             let lines = if first == last { first.to_string() } else { format!("{first}-{last}") };
             let Outcome { before_mm, after_mm, hits, .. } = outcome;
-            let times = Self::times(self.seconds(link, outcome));
+            let times = Self::times(self.seconds(outcome));
             let hit =
                 if hits.is_empty() { String::new() } else { format!("  too near to {}", hits.join(", ")) };
             let saved = before_mm - after_mm;
@@ -60,8 +59,7 @@ impl ProgramTable<'_> {
         }
         let sum = |value: fn(&Outcome) -> f64| outcomes().map(|(_, outcome)| value(outcome)).sum::<f64>();
         let (before, after) = (sum(|outcome| outcome.before_mm), sum(|outcome| outcome.after_mm));
-        let seconds: Option<Vec<[f64; 2]>> =
-            outcomes().map(|(link, outcome)| self.seconds(link, outcome)).collect();
+        let seconds: Option<Vec<[f64; 2]>> = outcomes().map(|(_, outcome)| self.seconds(outcome)).collect();
         let times = Self::times(seconds.map(|each| {
             each.into_iter().fold([0.0, 0.0], |sum, [before, after]| [sum[0] + before, sum[1] + after])
         }));
@@ -111,6 +109,14 @@ impl ProgramTable<'_> {
             writeln!(f, "and {} reasons more", reasons.len() - LISTED_REASONS)?;
         }
         Ok(())
+    }
+}
+
+/// The lines of a change: with retract and plunge where those were planned with it.
+fn lines(link: &Link, outcome: &Outcome) -> (u32, u32) {
+    match &outcome.done {
+        Done::Changed(path) if path.start_z_mm.is_some() => link.lines_with_heights(),
+        _ => link.lines(),
     }
 }
 

@@ -596,3 +596,20 @@ fn an_empty_drawing_is_refused_and_no_file_is_written_before_a_refusal() {
     assert_ends(&output, 3, "G-code differs by machine");
     assert!(!Path::new(&svg).exists());
 }
+
+#[test]
+fn a_program_passes_over_what_is_low() {
+    let folder = tempfile::tempdir().unwrap();
+    let nc = folder.path().join("out.ngc").display().to_string();
+    let more = ["--top", "20", "--clearance-z", "2", "-o", &nc];
+    assert_ends(&rewrite("plate-and-vise.ngc", &more), 0, "rapid moves replaced");
+    assert!(std::fs::read_to_string(&nc).unwrap().contains("Z22\n"));
+    assert_ends(&rewrite("plate-and-vise.ngc", &["--clearance-z", "2"]), 3, "no top is known");
+    assert_ends(
+        &rewrite("plate-and-vise.ngc", &["--top", "20", "--alternatives", "2"]),
+        2,
+        "cannot be used with",
+    );
+    assert_ends(&rewrite("plate-and-vise.ngc", &["--top", "20", "--start-z", "2"]), 2, "cannot be used with");
+    assert_ends(&rewrite("plate-and-vise.ngc", &["--time-limit", "0"]), 7, "time was over");
+}

@@ -184,3 +184,23 @@ fn chords_can_be_had_as_a_path() {
         assert!(matches!(write_gcode(&round_a_pin(), &settings), Err(GcodeError::Settings { .. })));
     }
 }
+
+#[test]
+fn heights_are_moves_along_z() {
+    let mut path = Path::at_height(Point::new(0.0, 0.0), 3.0);
+    path.height_to(12.0001);
+    path.line_to(Point::new(100.0, 5.0));
+    path.height_to(-1.5);
+    let settings = GcodeSettings::new(1000.0);
+    let moves = gcode_moves(&path, &settings, &ModalState::default()).unwrap();
+    // Rounded up: all of the height may be needed.
+    assert_eq!(moves.lines, ["G0 Z12.001", "G0 X100 Y5", "G0 Z-1.5"]);
+    assert!(write_gcode(&path, &settings).unwrap().text.contains("(TOOL MUST STAND AT X0 Y0 Z3)"));
+    let lathe = GcodeSettings { plane: GcodePlane::Zx { x: XWord::Radius }, ..settings.clone() };
+    assert_eq!(gcode_moves(&path, &lathe, &ModalState::default()), Err(GcodeError::Heights));
+    path.steps[1].z_mm = None;
+    assert_eq!(
+        gcode_moves(&path, &settings, &ModalState::default()),
+        Err(GcodeError::HeightMissing { step: 2 })
+    );
+}

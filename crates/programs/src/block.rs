@@ -136,9 +136,6 @@ struct Scan<'a> {
 
 impl Scan<'_> {
     fn run(&mut self) -> Result<Kind, Fault> {
-        if self.line.starts_with(b"\xef\xbb\xbf") {
-            self.at = 3;
-        }
         while let Some(byte) = self.peek() {
             match byte {
                 b'(' => self.comment()?,

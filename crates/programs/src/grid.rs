@@ -42,6 +42,16 @@ impl Grid {
         (count.abs() <= self.largest).then_some(count as i64)
     }
 
+    /// The count nearest to a height.
+    pub(crate) fn level(self, mm: f64) -> Option<i64> {
+        self.count(mm)
+    }
+
+    /// The height of a count.
+    pub(crate) fn level_mm(self, count: i64) -> f64 {
+        count as f64 / self.per_unit() * self.unit.millimetres()
+    }
+
     /// The counts nearest to a vector.
     pub(crate) fn counts(self, v: Vector) -> Option<Counts> {
         Some(Counts { x: self.count(v.x)?, y: self.count(v.y)? })

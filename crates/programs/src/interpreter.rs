@@ -7,6 +7,7 @@ use crate::block::{Block, Fault, Kind, Word};
 use crate::codes::{Code, Distance, Distortion, Motion, Once, Retract};
 use crate::modal::{Feed, Lost, Modal, Tool};
 use crate::options::ReadOptions;
+use crate::reason::Reason;
 use crate::survey::Survey;
 
 /// What a block does, as far as rapid moves are concerned.
@@ -18,8 +19,8 @@ pub(crate) enum Deed {
     Other,
     /// A rapid move, or one between two holes of a canned cycle.
     Rapid(Rapid),
-    /// A move, but whether it is a rapid one is not known.
-    Vague,
+    /// A move, but whether it is a rapid one, or where it leads, is not known.
+    Vague(Reason),
     /// The line was not understood.
     Fault(Fault),
     /// Behind the `%` that ends the program.
@@ -129,6 +130,16 @@ impl<'a> Interpreter<'a> {
         self.modal.distortions[distortion as usize] = line.max(1);
     }
 
+    /// Heights count from elsewhere, or otherwise, once a distortion that may hold for Z begins or ends.
+    fn shift_heights(&mut self, distortion: Distortion, line: u32) {
+        if matches!(
+            distortion,
+            Distortion::Shift | Distortion::Scaling | Distortion::Mirror | Distortion::Rotation
+        ) {
+            self.modal.lose(2, line, Lost::Length);
+        }
+    }
+
     fn words(&mut self, block: &Block, line: u32, start: usize) -> Deed {
         let mut read = Read::default();
         for word in &block.words {
@@ -201,19 +212,24 @@ impl<'a> Interpreter<'a> {
             Code::FeedMode(mode) => self.modal.feed_mode = Some(mode),
             Code::Offset(offset) => {
                 let origin = offset.and_then(|offset| self.options.offsets.origin(offset));
-                if origin.is_none() || origin != self.modal.origin {
+                // Offsets that lie at the same X and Y may still count heights from elsewhere.
+                if offset.is_none() || offset != self.modal.offset {
                     self.modal.lose(2, line, Lost::Length);
                 }
-                self.modal.origin = origin;
+                (self.modal.offset, self.modal.origin) = (offset, origin);
             }
             Code::Retract(retract) => self.modal.retract = Some(retract),
             Code::Length => self.modal.lose(2, line, Lost::Length),
             Code::Once(once) => read.once = Some(once),
             Code::Begins(distortion) => {
                 self.distort(distortion, line);
+                self.shift_heights(distortion, line);
                 read.consumes = distortion != Distortion::Compensation && distortion != Distortion::Polar;
             }
-            Code::Ends(distortion) => self.modal.distortions[distortion as usize] = 0,
+            Code::Ends(distortion) => {
+                self.modal.distortions[distortion as usize] = 0;
+                self.shift_heights(distortion, line);
+            }
             Code::Call => {
                 read.forgets = true;
                 read.consumes = true;
@@ -241,6 +257,12 @@ impl<'a> Interpreter<'a> {
                 Some(3 | 4) => self.modal.spindle = Some(true),
                 Some(5) => self.modal.spindle = Some(false),
                 Some(2 | 30 | 72 | 73 | 97 | 98 | 99 | 198) | None => read.forgets = true,
+                // Names the tool that is in the spindle already.
+                Some(61) => {
+                    let number = block.word(b'Q').and_then(Word::decimal);
+                    let number = number.and_then(crate::decimal::Decimal::whole);
+                    self.modal.tool = number.map_or(Tool::Unknown, Tool::Number);
+                }
                 Some(60) => self.modal.lose_position(line, Lost::ToolChange),
                 Some(_) => {}
             }
@@ -260,7 +282,7 @@ impl<'a> Interpreter<'a> {
         let axes = [b'X', b'Y', b'Z'].map(|letter| block.word(letter));
         let other = block.words.iter().map(|word| word.letter).find(|letter| b"ABCUVW".contains(letter));
         let moves = axes.iter().any(Option::is_some) || other.is_some();
-        if let Some(once) = read.once.filter(|_| moves || read.once == Some(Once::Home)) {
+        if let Some(once) = read.once.filter(|once| moves || matches!(once, Once::Home | Once::Setting)) {
             return self.once(once, axes, line);
         }
         if read.unknown {
@@ -280,8 +302,16 @@ impl<'a> Interpreter<'a> {
         let to: Vec<Result<Option<f64>, Lost>> = to.collect();
         let deed = match self.modal.motion {
             _ if !moves => Deed::Other,
-            None if axes[0].is_some() || axes[1].is_some() => Deed::Vague,
+            None | Some(Motion::None) if axes[0].is_some() || axes[1].is_some() => {
+                Deed::Vague(Reason::MotionUnknown)
+            }
             Some(Motion::Rapid) => Deed::Rapid(self.rapid(block, from, &to, axes, other, read)),
+            // Holes lie along another axis, and Y may be how deep they are.
+            Some(Motion::Cycle(_)) if self.modal.plane != Some(17) => {
+                self.modal.cycle_plane = None;
+                self.modal.lose_position(line, Lost::UnknownMove);
+                return Deed::Vague(Reason::CyclePlane);
+            }
             Some(Motion::Cycle(_)) => {
                 let mut rapid = self.rapid(block, from, &to, [axes[0], axes[1], None], other, read);
                 rapid.role = RapidRole::Cycle;

@@ -13,9 +13,12 @@ pub(crate) struct Line {
     pub(crate) next: usize,
 }
 
-/// The lines of `bytes`: ended by LF, CR LF or CR. Cost: linear.
+/// What editors may put before the first character; it belongs to no line, so nothing is inserted before it.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// The lines of `bytes` behind a byte order mark: ended by LF, CR LF or CR. Cost: linear.
 pub(crate) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line> + '_ {
-    let mut at = 0;
+    let mut at = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
     let mut number = 0;
     std::iter::from_fn(move || {
         let rest = bytes.get(at..).filter(|rest| !rest.is_empty())?;
@@ -43,5 +46,7 @@ mod tests {
         assert_eq!(found, [&b"G0"[..], b"G1", b"", b"G2"]);
         assert_eq!(lines(text).last().map(|line| (line.number, line.next)), Some((4, text.len())));
         assert_eq!(lines(b"").count(), 0);
+        let marked = lines(b"\xef\xbb\xbfG0\n").next();
+        assert_eq!(marked.map(|line| (line.start, line.end, line.number)), Some((3, 5, 1)));
     }
 }

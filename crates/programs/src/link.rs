@@ -1,8 +1,10 @@
 //! Links: what a program travels between two cuts, as it stands in its text.
 
 use crate::codes::Distance;
+use crate::lift::Vertical;
 use crate::modal::{Modal, Tool};
 use crate::reason::Reason;
+use traverse_drawing::GcodeUnit;
 use traverse_geometry::{Path, Point};
 
 /// A run of rapid moves along X and Y with nothing between them: one way from here to there.
@@ -16,6 +18,9 @@ pub struct Link {
     pub retract_line: Option<u32>,
     /// See [`Link::retract_line`].
     pub plunge_line: Option<u32>,
+    /// Those two, where their heights are known.
+    pub(crate) retract: Option<Vertical>,
+    pub(crate) plunge: Option<Vertical>,
     /// Which tool moves; none: the program has not said, or it can't be known.
     pub tool: Option<u32>,
     pub(crate) tool_is_known: bool,
@@ -65,6 +70,8 @@ pub(crate) struct RapidBlock {
     /// Where it leads, in the drawing.
     pub(crate) target: Point,
     pub(crate) distance: Distance,
+    /// The unit of its numbers.
+    pub(crate) unit: Option<GcodeUnit>,
     /// It says G0 itself.
     pub(crate) names_motion: bool,
     /// It sets F itself.
@@ -92,6 +99,13 @@ impl Link {
     pub fn lines(&self) -> (u32, u32) {
         let line = |block: Option<&RapidBlock>| block.map_or(0, |block| block.line);
         (line(self.blocks.first()), line(self.blocks.last()))
+    }
+
+    /// The same with its retract and its plunge.
+    #[must_use]
+    pub fn lines_with_heights(&self) -> (u32, u32) {
+        let (first, last) = self.lines();
+        (self.retract_line.unwrap_or(first), self.plunge_line.unwrap_or(last))
     }
 
     /// The way as the program has it.

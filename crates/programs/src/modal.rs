@@ -20,6 +20,8 @@ pub(crate) struct Modal {
     pub(crate) tool: Tool,
     /// The tool that the next M6 takes.
     pub(crate) selected: Tool,
+    /// The work offset in force: G54 is 0; none: which is not known, or one that has no number here.
+    pub(crate) offset: Option<u8>,
     /// Where the zero of the work offset lies in the drawing.
     pub(crate) origin: Option<Vector>,
     /// The line where each distortion began; 0: it is not there.
@@ -120,6 +122,7 @@ impl Modal {
             spindle: Some(false),
             tool: Tool::Unstated,
             selected: Tool::Unstated,
+            offset: Some(0),
             origin,
             distortions: [0; DISTORTIONS],
             at: [start.map(|[x, _]| x), start.map(|[_, y]| y), None],
@@ -142,6 +145,7 @@ impl Modal {
         self.tool = Tool::Unknown;
         self.selected = Tool::Unknown;
         self.unit = self.unit.filter(|_| !mixes_units);
+        self.offset = self.offset.filter(|_| !mixes_offsets);
         self.origin = self.origin.filter(|_| !mixes_offsets);
         self.lose_position(line, lost);
     }
@@ -173,6 +177,7 @@ impl Modal {
         agree(&mut self.feed_mode, &skipped.feed_mode);
         agree(&mut self.retract, &skipped.retract);
         agree(&mut self.spindle, &skipped.spindle);
+        agree(&mut self.offset, &skipped.offset);
         agree(&mut self.origin, &skipped.origin);
         agree(&mut self.cycle_plane, &skipped.cycle_plane);
         if self.feed != skipped.feed {

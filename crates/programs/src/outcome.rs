@@ -6,6 +6,8 @@ use traverse_geometry::Path;
 /// What became of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
+    /// The way as it was; with its retract and plunge where heights are planned.
+    pub before: Path,
     /// Its length as it was, millimetres.
     pub before_mm: f64,
     /// Its length as it is.

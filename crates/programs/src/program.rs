@@ -4,6 +4,7 @@ use crate::block::{Block, Fault};
 use crate::codes::Distance;
 use crate::error::ProgramError;
 use crate::interpreter::{Deed, Interpreter, Rapid, RapidRole};
+use crate::lift::Vertical;
 use crate::line::{Line, lines};
 use crate::link::{Heights, Link, RapidBlock, WordPlace};
 use crate::modal::{Lost, Modal};
@@ -11,7 +12,7 @@ use crate::options::ReadOptions;
 use crate::protection::Protection;
 use crate::reason::Reason;
 use crate::survey::Survey;
-use traverse_drawing::GcodeDialect;
+use traverse_drawing::{GcodeDialect, GcodeUnit};
 use traverse_geometry::Point;
 
 /// The longest program, bytes.
@@ -31,6 +32,8 @@ pub struct Program<'a> {
     pub faults: Vec<(u32, Fault)>,
     /// How many lines it has.
     pub line_count: u32,
+    /// The highest place that a rapid move goes to, as far as heights are known, in the program's coordinates, millimetres.
+    pub highest_rapid_z_mm: Option<f64>,
 }
 
 impl<'a> Program<'a> {
@@ -58,9 +61,10 @@ impl<'a> Program<'a> {
                 untouched: Vec::new(),
                 faults: Vec::new(),
                 line_count: 0,
+                highest_rapid_z_mm: None,
             },
             open: None,
-            retract_line: None,
+            retract: None,
             protected: false,
         };
         let mut interpreter = Interpreter::new(options, &survey);
@@ -88,7 +92,7 @@ struct Reader<'a> {
     program: Program<'a>,
     open: Option<Link>,
     /// The line before, if all it did was rise.
-    retract_line: Option<u32>,
+    retract: Option<(u32, Option<Vertical>)>,
     protected: bool,
 }
 
@@ -106,16 +110,16 @@ impl Reader<'_> {
             Deed::Idle => {}
             Deed::Other | Deed::Behind => {
                 self.close();
-                self.retract_line = None;
+                self.retract = None;
             }
-            Deed::Vague => {
+            Deed::Vague(reason) => {
                 self.close();
-                self.retract_line = None;
-                self.program.untouched.push((line.number, Reason::MotionUnknown));
+                self.retract = None;
+                self.program.untouched.push((line.number, reason));
             }
             Deed::Fault(fault) => {
                 self.close();
-                self.retract_line = None;
+                self.retract = None;
                 self.program.faults.push((line.number, fault));
             }
             Deed::Rapid(rapid) => {
@@ -138,13 +142,17 @@ impl Reader<'_> {
         after: &Modal,
         protected: bool,
     ) {
+        if let Some(z) = rapid.to[2].filter(|_| rapid.role != RapidRole::Skippable && rapid.up_or_down) {
+            let highest = &mut self.program.highest_rapid_z_mm;
+            *highest = Some(highest.map_or(z, |highest| highest.max(z)));
+        }
         if !rapid.along {
-            self.straight_up_or_down(line, rapid);
+            self.straight_up_or_down(line, block, rapid, after, protected);
             return;
         }
         let (Some(from), Some(to)) = (point(rapid.from), point(rapid.to)) else {
             self.close();
-            self.retract_line = None;
+            self.retract = None;
             let reason = unknown(rapid, &before, after);
             self.program.untouched.push((line.number, reason));
             return;
@@ -169,8 +177,9 @@ impl Reader<'_> {
             _ => None,
         };
         let heights = slope.unwrap_or(Heights::Level(None));
-        let Some(step) = rapid_block(line, block, to, distance) else {
+        let Some(step) = rapid_block(line, block, to, distance, after.unit) else {
             self.close();
+            self.retract = None;
             self.program.untouched.push((line.number, Reason::NumberTooLarge));
             return;
         };
@@ -189,11 +198,14 @@ impl Reader<'_> {
         }
         self.close();
         let (tool, tool_is_known) = Link::tool_of(after.tool);
+        let (retract_line, retract) = self.retract.take().unzip();
         self.open = Some(Link {
             from,
             heights,
-            retract_line: self.retract_line.take(),
+            retract_line,
             plunge_line: None,
+            retract: retract.flatten(),
+            plunge: None,
             tool,
             tool_is_known,
             fixed,
@@ -203,23 +215,52 @@ impl Reader<'_> {
     }
 
     /// A move along Z alone parts links; next to one it is its retract or its plunge.
-    fn straight_up_or_down(&mut self, line: Line, rapid: &Rapid) {
+    fn straight_up_or_down(
+        &mut self,
+        line: Line,
+        block: &Block,
+        rapid: &Rapid,
+        after: &Modal,
+        protected: bool,
+    ) {
         let rises = rapid.to[2].zip(rapid.from[2]).is_none_or(|(to, from)| to > from);
+        let known = vertical(line, block, rapid, after, protected);
         if let Some(open) = &mut self.open
             && !rises
         {
             open.plunge_line = Some(line.number);
+            open.plunge.clone_from(&known);
         }
         self.close();
-        self.retract_line = (rapid.up_or_down && rises).then_some(line.number);
+        self.retract = (rapid.up_or_down && rises).then_some((line.number, known));
     }
+}
+
+/// The move along Z as far as it is known; none: it may not run, or does more.
+fn vertical(line: Line, block: &Block, rapid: &Rapid, after: &Modal, protected: bool) -> Option<Vertical> {
+    let moves_z = rapid.up_or_down && after.distance == Some(Distance::Absolute);
+    // What else a block does would run at another height.
+    let runs = matches!(rapid.role, RapidRole::Plain | RapidRole::WithModes);
+    let at = point(rapid.from).filter(|_| moves_z && runs)?;
+    Some(Vertical {
+        from_z: rapid.from[2]?,
+        to_z: rapid.to[2]?,
+        block: rapid_block(line, block, at, Distance::Absolute, after.unit)?,
+        is_free: !protected,
+    })
 }
 
 fn point(at: [Option<f64>; 3]) -> Option<Point> {
     Some(Point::new(at[0]?, at[1]?))
 }
 
-fn rapid_block(line: Line, block: &Block, target: Point, distance: Distance) -> Option<RapidBlock> {
+fn rapid_block(
+    line: Line,
+    block: &Block,
+    target: Point,
+    distance: Distance,
+    unit: Option<GcodeUnit>,
+) -> Option<RapidBlock> {
     let place = |offset: usize| u32::try_from(line.start + offset).ok();
     let word = |letter: u8| {
         let word = block.word(letter)?;
@@ -235,6 +276,7 @@ fn rapid_block(line: Line, block: &Block, target: Point, distance: Distance) -> 
         words: [word(b'X'), word(b'Y'), word(b'Z')],
         target,
         distance,
+        unit,
         names_motion: block
             .words
             .iter()

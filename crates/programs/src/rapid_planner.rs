@@ -16,6 +16,8 @@ pub struct Travel {
     /// The lowest height on the way, in the program's coordinates, millimetres; none: it is not known, so everything
     /// counts that could be in the way.
     pub z: Option<f64>,
+    /// Heights of start and target where the tool may rise and sink between; none: it stays at `z`, or above it.
+    pub ends_z: Option<[f64; 2]>,
     /// The tool's number, if the program has said one.
     pub tool: Option<u32>,
     /// Whether `tool` can be relied on: otherwise the largest clearance counts.
@@ -54,12 +56,19 @@ impl Found {
 
 /// Knows what lies in the way of rapid moves: in the plane, or at heights.
 ///
-/// A planner that knows heights answers [`RapidPlanner::look`] by what reaches up to `z`. To replace whole links of
-/// retract, travel and plunge it would answer a level beside the path; [`crate::Link`] already says which lines those
-/// are.
+/// A planner that knows heights answers [`RapidPlanner::look`] by what reaches up to `z`, and plans links with their retract
+/// and plunge: where [`Travel::ends_z`] is there, paths have heights.
 pub trait RapidPlanner {
     /// What lies on `path`, by code that shares nothing with the planning.
-    fn look(&self, travel: &Travel, path: &Path) -> Found;
+    ///
+    /// # Errors
+    /// Why it is not known: time was over.
+    fn look(&self, travel: &Travel, path: &Path) -> Result<Found, Reason>;
+
+    /// Whether it plans moves that rise, pass over what is low and sink.
+    fn knows_heights(&self) -> bool {
+        false
+    }
 
     /// What a way costs, in a unit of the planner's own.
     fn cost(&self, path: &Path) -> f64 {

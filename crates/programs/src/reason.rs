@@ -29,6 +29,8 @@ pub enum Reason {
     },
     /// Whether it is a rapid move at all.
     MotionUnknown,
+    /// A canned cycle in a plane other than G17, or in one that is not known.
+    CyclePlane,
     /// A comment protects it.
     Protected,
     /// The operator decides whether it runs.
@@ -81,6 +83,9 @@ impl fmt::Display for Reason {
             Self::MotionUnknown => {
                 f.write_str("whether it moves rapidly is not known; say G0, G1, G2 or G3 in the block")
             }
+            Self::CyclePlane => f.write_str(
+                "a canned cycle whose holes do not lie along Z for sure; say G17 before it, or drill with G0 and G1",
+            ),
             Self::Protected => f.write_str("protected by a comment"),
             Self::Skippable => f.write_str("the block may be skipped (/)"),
             Self::DoesMore(letter) => {

@@ -6,6 +6,7 @@
 use crate::codes::Distance;
 use crate::edit::{Edit, apply};
 use crate::grid::Grid;
+use crate::lift::Lift;
 use crate::link::{Heights, Link};
 use crate::modal::Feed;
 use crate::outcome::{Done, Outcome};
@@ -19,7 +20,7 @@ use traverse_drawing::{ArcMotion, GcodeDialect, GcodeUnit, StraightMotion};
 use traverse_geometry::{ArcOutput, CONTACT_TOLERANCE_MM, Path, Point};
 
 /// How much more room ways are planned with, in last places: what rounding may use up.
-const RESERVE_STEPS: f64 = 2.0;
+pub(crate) const RESERVE_STEPS: f64 = 2.0;
 
 /// Chords stand for arcs where arcs can't be fed, within this, millimetres.
 const CHORD_TOLERANCE_MM: f64 = 0.05;
@@ -69,11 +70,12 @@ pub fn rewrite(program: &Program<'_>, planner: &dyn RapidPlanner, options: &Writ
     Rewritten { text: apply(program.bytes, &all), outcomes }
 }
 
-struct Linking<'a> {
-    program: &'a Program<'a>,
-    planner: &'a dyn RapidPlanner,
-    options: &'a WriteOptions,
-    link: &'a Link,
+/// One link on its way into the new text.
+pub(crate) struct Linking<'a> {
+    pub(crate) program: &'a Program<'a>,
+    pub(crate) planner: &'a dyn RapidPlanner,
+    pub(crate) options: &'a WriteOptions,
+    pub(crate) link: &'a Link,
 }
 
 impl Linking<'_> {
@@ -81,10 +83,36 @@ impl Linking<'_> {
         let before = self.link.path();
         let before_mm = before.length();
         let travel = self.travel();
-        let hits = if before_mm > 0.0 { self.planner.look(&travel, &before).hits } else { Vec::new() };
-        let mut outcome =
-            Outcome { before_mm, after_mm: before_mm, fed_mm: 0.0, hits, done: Done::Unchanged };
+        let mut outcome = Outcome {
+            before: before.clone(),
+            before_mm,
+            after_mm: before_mm,
+            fed_mm: 0.0,
+            hits: Vec::new(),
+            done: Done::Unchanged,
+        };
+        if before_mm > 0.0 {
+            match self.planner.look(&travel, &before) {
+                Ok(found) => outcome.hits = found.hits,
+                Err(reason) => return (Outcome { done: Done::Left(reason), ..outcome }, Vec::new()),
+            }
+        }
         let fed = self.options.straight != StraightMotion::Rapid;
+        let lift = Lift::of(self.link).filter(|_| before_mm > 0.0 && !fed && self.planner.knows_heights());
+        if let Some(lift) = lift {
+            outcome.before = lift.path(&before, lift.level_z);
+            outcome.before_mm = outcome.before.length();
+            outcome.after_mm = outcome.before_mm;
+            match self.lifted(&lift, &outcome) {
+                Ok(Some(rewrite)) => return rewrite,
+                Ok(None) => return (outcome, Vec::new()),
+                Err(Reason::Interrupted) => {
+                    return (Outcome { done: Done::Left(Reason::Interrupted), ..outcome }, Vec::new());
+                }
+                // What can't be planned with heights may be in the plane.
+                Err(_) => {}
+            }
+        }
         if before_mm == 0.0 || (self.link.blocks.len() == 1 && outcome.hits.is_empty() && !fed) {
             return (outcome, Vec::new());
         }
@@ -97,13 +125,17 @@ impl Linking<'_> {
         match self.changed(&travel, &outcome) {
             Ok(None) => (outcome, Vec::new()),
             Ok(Some((rounded, changes))) => {
-                outcome.after_mm = rounded.path.length();
+                let path = match lift {
+                    Some(lift) => lift.path(&rounded.path, lift.level_z),
+                    None => rounded.path,
+                };
+                outcome.after_mm = path.length();
                 outcome.fed_mm = if fed { outcome.after_mm } else { rounded.fed_mm };
-                outcome.done = Done::Changed(rounded.path);
+                outcome.done = Done::Changed(path);
                 (outcome, changes)
             }
             Err(reason) => {
-                if !outcome.hits.is_empty() || fed {
+                if !outcome.hits.is_empty() || fed || reason == Reason::Interrupted {
                     outcome.done = Done::Left(reason);
                 }
                 (outcome, Vec::new())
@@ -111,12 +143,13 @@ impl Linking<'_> {
         }
     }
 
-    fn travel(&self) -> Travel {
+    pub(crate) fn travel(&self) -> Travel {
         let link = self.link;
         Travel {
             from: link.from,
             to: link.to(),
             z: link.heights.lowest(),
+            ends_z: None,
             tool: link.tool,
             tool_is_known: link.tool_is_known,
             straight: Straight::Rapid,
@@ -130,7 +163,7 @@ impl Linking<'_> {
         let travel = Travel { straight: if fed { Straight::Fed } else { Straight::Rapid }, ..*travel };
         let mut straight = Path::at(travel.from);
         straight.line_to(travel.to);
-        let direct = self.planner.look(&travel, &straight).is_free();
+        let direct = self.planner.look(&travel, &straight)?.is_free();
         let before = self.planner.cost(&self.link.path());
         let gains = |way: &Path| {
             !now.hits.is_empty() || fed || self.planner.cost(way) < before - self.planner.least_gain()
@@ -152,26 +185,12 @@ impl Linking<'_> {
                 if !gains(&way) {
                     return Ok(None);
                 }
-                let rounding = Rounding {
-                    grid,
-                    dialect: self.program.dialect,
-                    arcs,
-                    centers: self.link.before.centers.unwrap_or(Distance::Incremental),
-                    zero: self.zero()?,
-                    leaves_last: leaves_last(self.link, self.options.straight),
-                };
-                let rounded = rounding.round(&way)?;
-                if self.is_sound(&travel, &rounded, grid) {
+                let rounded = self.rounding(grid, arcs)?.round(&way)?;
+                if self.is_sound(&travel, &rounded, grid)? {
                     if !gains(&rounded.path) {
                         return Ok(None);
                     }
-                    let spelling = Spelling::of(
-                        self.program.bytes,
-                        self.last_block()?,
-                        &self.program.survey,
-                        self.program.dialect,
-                        places,
-                    );
+                    let spelling = self.spelling(places)?;
                     let motions = Motions { straight: self.options.straight, arcs };
                     let changes = edits(self.program, self.link, &rounded, &spelling, motions)?;
                     return Ok(Some((rounded, changes)));
@@ -181,14 +200,41 @@ impl Linking<'_> {
         Err(Reason::Rounding)
     }
 
-    fn last_block(&self) -> Result<&crate::link::RapidBlock, Reason> {
+    pub(crate) fn rounding(&self, grid: Grid, arcs: ArcMotion) -> Result<Rounding, Reason> {
+        Ok(Rounding {
+            grid,
+            dialect: self.program.dialect,
+            arcs,
+            centers: self.link.before.centers.unwrap_or(Distance::Incremental),
+            zero: self.zero()?,
+            leaves_last: leaves_last(self.link, self.options.straight),
+        })
+    }
+
+    pub(crate) fn spelling(&self, places: u8) -> Result<Spelling, Reason> {
+        let Program { bytes, survey, dialect, .. } = self.program;
+        Ok(Spelling::of(bytes, self.last_block()?, survey, *dialect, places))
+    }
+
+    pub(crate) fn last_block(&self) -> Result<&crate::link::RapidBlock, Reason> {
         self.link.blocks.last().ok_or(Reason::Rounding)
     }
 
     /// Whether the rounded way keeps the clearance, and comes to where the last block relies on being.
-    fn is_sound(&self, travel: &Travel, rounded: &Rounded, grid: Grid) -> bool {
-        let found = self.planner.look(travel, &rounded.path);
-        let room = found.margin_mm.is_none_or(|margin| margin >= rounded.off_mm - CONTACT_TOLERANCE_MM);
+    fn is_sound(&self, travel: &Travel, rounded: &Rounded, grid: Grid) -> Result<bool, Reason> {
+        let arrives = self.arrives(travel, rounded, grid);
+        Ok(self.keeps_clear(travel, &rounded.path, rounded.off_mm)? && arrives)
+    }
+
+    /// Whether a way that may run beside `path` by so much keeps the clearance.
+    pub(crate) fn keeps_clear(&self, travel: &Travel, path: &Path, off_mm: f64) -> Result<bool, Reason> {
+        let found = self.planner.look(travel, path)?;
+        let room = found.margin_mm.is_none_or(|margin| margin >= off_mm - CONTACT_TOLERANCE_MM);
+        Ok(found.is_free() && (room || off_mm == 0.0))
+    }
+
+    /// Whether the rounded way comes to where the last block relies on being.
+    pub(crate) fn arrives(&self, travel: &Travel, rounded: &Rounded, grid: Grid) -> bool {
         let arrives = rounded.moves.last().is_none_or(|last| {
             let Some(block) = self.link.blocks.last() else { return false };
             let short = grid.point(last.end) - travel.to;
@@ -197,12 +243,11 @@ impl Linking<'_> {
                 |word: usize, short: f64| (absolute && block.words[word].is_some()) || short.abs() < 1e-9;
             carries(0, short.x) && carries(1, short.y)
         });
-        let arrives = arrives && (!rounded.moves.is_empty() || leaves_last(self.link, self.options.straight));
-        found.is_free() && arrives && (room || rounded.off_mm == 0.0)
+        arrives && (!rounded.moves.is_empty() || leaves_last(self.link, self.options.straight))
     }
 
     /// Fed arcs where they are asked for and can be taken back, then chords.
-    fn arc_motions(&self) -> Vec<ArcMotion> {
+    pub(crate) fn arc_motions(&self) -> Vec<ArcMotion> {
         let before = &self.link.before;
         let chords = ArcMotion::Chords { tolerance_mm: CHORD_TOLERANCE_MM };
         let feed_returns = match before.feed {
@@ -224,7 +269,7 @@ impl Linking<'_> {
     }
 
     /// The decimal places that are tried.
-    fn places(&self) -> (u8, u8) {
+    pub(crate) fn places(&self) -> (u8, u8) {
         let unit = self.link.before.unit.unwrap_or_default();
         let most = self.program.dialect.most_decimals(unit);
         let usual = self.program.dialect.usual_decimals(unit);
@@ -232,7 +277,7 @@ impl Linking<'_> {
         self.options.decimals.map_or((own, own.max(most)), |asked| (asked, asked))
     }
 
-    fn grid(&self, from: Point, places: u8) -> Result<Grid, Reason> {
+    pub(crate) fn grid(&self, from: Point, places: u8) -> Result<Grid, Reason> {
         let before = &self.link.before;
         let unit = before.unit.ok_or_else(not_known)?;
         let origin = match before.distance.ok_or_else(not_known)? {

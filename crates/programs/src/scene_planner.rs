@@ -1,4 +1,5 @@
-//! Plans and checks in the plane: obstacles reach up without end, but for a height above which nothing is in the way.
+//! Plans and checks round the obstacles of scenes, and over those whose tops are known where that is asked for; others
+//! reach up without end, but for a height above which nothing is in the way.
 
 use crate::rapid_planner::{Found, LEAST_GAIN_MM, RapidPlanner, Straight, Travel};
 use crate::reason::Reason;
@@ -8,10 +9,10 @@ use std::f64::consts::TAU;
 use std::rc::Rc;
 use traverse_checker::{PathCheck, RapidMoveChecker};
 use traverse_geometry::{
-    ArcOutput, CONTACT_TOLERANCE_MM, CostUnit, Path, Point, RapidMotion, RapidRules, Scene, unit,
+    ArcOutput, CONTACT_TOLERANCE_MM, CostUnit, HeightRule, Path, Point, RapidMotion, RapidRules, Scene, unit,
 };
-use traverse_planner::{Algorithm, Answer, RapidMove, Refusal, plan_rapid_move, travel_cost};
-use traverse_solve::{Budget, Silent};
+use traverse_planner::{Algorithm, Answer, PreparedScene, RapidMove, Refusal, travel_cost};
+use traverse_solve::{Budget, Interrupt, Silent};
 
 /// An end within the reserve is left by a step of so many reserves.
 const STEP_OUT_RESERVES: f64 = 3.0;
@@ -33,11 +34,21 @@ pub struct ToolScenes {
     pub safe_z_mm: Option<f64>,
 }
 
+/// Lets the tool pass over obstacles whose tops are known. Heights count in the program's coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassingOver {
+    /// Kept above every top, millimetres, not negative. Absent: the scene's clearance.
+    pub clearance_z_mm: Option<f64>,
+    /// No run rises higher, unless it begins or ends higher, millimetres. Absent: no higher than it begins and ends.
+    pub highest_z_mm: Option<f64>,
+}
+
 /// Plans round the obstacles of scenes.
 pub struct ScenePlanner<'a> {
     scenes: &'a ToolScenes,
     /// What ways cost and how G0 runs; nothing else.
     rules: RapidRules,
+    over: Option<PassingOver>,
     budget: &'a Budget,
     any: Prepared<'a>,
     by_tool: BTreeMap<u32, Prepared<'a>>,
@@ -46,27 +57,32 @@ pub struct ScenePlanner<'a> {
 struct Prepared<'a> {
     scene: &'a Scene,
     checker: RapidMoveChecker<'a>,
-    /// Scenes with more clearance, by the bits of how much more.
-    wider: RefCell<BTreeMap<u64, Rc<Scene>>>,
+    /// Scenes with more clearance, by the bits of how much more: each is taken apart once for all links.
+    wider: RefCell<BTreeMap<u64, Kept>>,
 }
+
+/// A scene that links share: what can be seen in it is worked out once.
+type Kept = Rc<RefCell<PreparedScene>>;
 
 impl<'a> Prepared<'a> {
     fn new(scene: &'a Scene) -> Self {
         Self { scene, checker: RapidMoveChecker::new(scene), wider: RefCell::default() }
     }
 
-    fn wider(&self, reserve_mm: f64) -> Rc<Scene> {
-        let make = || {
-            let mut scene = self.scene.clone();
-            scene.clearance_mm += reserve_mm;
-            scene.work_area_clearance_mm =
-                scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
-            for obstacle in &mut scene.obstacles {
-                obstacle.clearance_mm = obstacle.clearance_mm.map(|clearance| clearance + reserve_mm);
-            }
-            Rc::new(scene)
-        };
-        self.wider.borrow_mut().entry(reserve_mm.to_bits()).or_insert_with(make).clone()
+    /// The scene with so much more clearance.
+    fn wider(&self, reserve_mm: f64, budget: &Budget) -> Result<Kept, Interrupt> {
+        if let Some(kept) = self.wider.borrow().get(&reserve_mm.to_bits()) {
+            return Ok(kept.clone());
+        }
+        let mut scene = self.scene.clone();
+        scene.clearance_mm += reserve_mm;
+        scene.work_area_clearance_mm = scene.work_area_clearance_mm.map(|clearance| clearance + reserve_mm);
+        for obstacle in &mut scene.obstacles {
+            obstacle.clearance_mm = obstacle.clearance_mm.map(|clearance| clearance + reserve_mm);
+        }
+        let kept = Rc::new(RefCell::new(PreparedScene::new(scene, budget)?));
+        self.wider.borrow_mut().insert(reserve_mm.to_bits(), kept.clone());
+        Ok(kept)
     }
 }
 
@@ -85,10 +101,31 @@ impl<'a> ScenePlanner<'a> {
         Self {
             scenes,
             rules,
+            over: None,
             budget,
             any: Prepared::new(&scenes.any),
             by_tool: scenes.by_tool.iter().map(|(tool, scene)| (*tool, Prepared::new(scene))).collect(),
         }
+    }
+
+    /// The same, passing over what is low. Costs by axes or with acceleration need a speed of Z.
+    #[must_use]
+    pub fn passing_over(self, over: PassingOver) -> Self {
+        Self { over: Some(over), ..self }
+    }
+
+    /// Heights of a way, as far as they count.
+    fn heights(&self, travel: &Travel) -> Option<HeightRule> {
+        let over = self.over?;
+        let [start_z_mm, target_z_mm] = travel.ends_z.or_else(|| travel.z.map(|z| [z, z]))?;
+        let least = start_z_mm.max(target_z_mm);
+        let highest = over.highest_z_mm.filter(|_| travel.ends_z.is_some());
+        Some(HeightRule {
+            start_z_mm,
+            target_z_mm,
+            highest_z_mm: highest.map_or(least, |highest| highest.max(least)),
+            clearance_z_mm: over.clearance_z_mm.unwrap_or(self.prepared(travel).scene.clearance_mm),
+        })
     }
 
     fn prepared(&self, travel: &Travel) -> &Prepared<'a> {
@@ -108,7 +145,7 @@ impl<'a> ScenePlanner<'a> {
     fn rules(&self, travel: &Travel) -> RapidRules {
         let motion = if travel.straight == Straight::Fed { RapidMotion::Linear } else { self.rules.motion };
         let arcs = if motion == RapidMotion::DogLeg { travel.arcs } else { ArcOutput::Arcs };
-        RapidRules { motion, arcs, ..self.rules.clone() }
+        RapidRules { motion, arcs, heights: self.heights(travel), ..self.rules.clone() }
     }
 
     /// How much more room a dog-leg needs than a line for the same rounding: where its ends move by as much, its corner
@@ -120,11 +157,13 @@ impl<'a> ScenePlanner<'a> {
         })
     }
 
-    fn plan(&self, scene: &Scene, travel: &Travel, from: Point, to: Point) -> Result<Path, Stop> {
+    fn plan(&self, scene: &Kept, travel: &Travel, from: Point, to: Point) -> Result<Path, Stop> {
         let (algorithm, rules) = (Algorithm::Exact, self.rules(travel));
         let query = RapidMove { start: from, target: to, algorithm, rules };
-        match plan_rapid_move(scene, &query, self.budget, &mut Silent).map_err(Stop::Refused)? {
-            (Answer::Plan(plan), _) => Ok(plan.path),
+        let answer = scene.borrow_mut().plan(&query, self.budget, &mut Silent);
+        match answer.map_err(Stop::Refused)? {
+            (Answer::Plan(plan), _) if travel.ends_z.is_some() => Ok(plan.path),
+            (Answer::Plan(plan), _) => Ok(plan.path.in_plane()),
             (Answer::NoPath(no_path), _) => Err(Stop::NoPath(no_path.separating_obstacles)),
         }
     }
@@ -133,10 +172,13 @@ impl<'a> ScenePlanner<'a> {
     fn reason(&self, prepared: &Prepared<'_>, travel: &Travel, stop: &Stop, reserve_mm: f64) -> Reason {
         let refusals = match stop {
             Stop::Refused(refusals) => refusals,
-            Stop::NoPath(_) => match self.plan(prepared.scene, travel, travel.from, travel.to) {
-                Err(Stop::NoPath(separating)) => return Reason::NoPath { separating },
-                _ => return Reason::Rounding,
-            },
+            Stop::NoPath(_) => {
+                let Ok(scene) = prepared.wider(0.0, self.budget) else { return Reason::Interrupted };
+                return match self.plan(&scene, travel, travel.from, travel.to) {
+                    Err(Stop::NoPath(separating)) => Reason::NoPath { separating },
+                    _ => Reason::Rounding,
+                };
+            }
         };
         refusals.iter().find_map(|refusal| too_deep(refusal, reserve_mm)).unwrap_or(Reason::Rounding)
     }
@@ -145,7 +187,7 @@ impl<'a> ScenePlanner<'a> {
     fn step_out(
         &self,
         prepared: &Prepared<'_>,
-        wider: &Scene,
+        wider: &Kept,
         travel: &Travel,
         end: Point,
         reserve_mm: f64,
@@ -155,20 +197,21 @@ impl<'a> ScenePlanner<'a> {
             let beside = end + unit(angle) * (STEP_OUT_RESERVES * reserve_mm);
             let mut path = Path::at(end);
             path.line_to(beside);
-            let free = self.check(prepared, travel, &path).is_sound();
+            let free = self.check(prepared, travel, &path).is_some_and(|check| check.is_sound());
             (free && self.plan(wider, travel, beside, beside).is_ok()).then_some(beside)
         })
     }
 }
 
 impl ScenePlanner<'_> {
-    fn check(&self, prepared: &Prepared<'_>, travel: &Travel, path: &Path) -> PathCheck {
+    /// None: time was over.
+    fn check(&self, prepared: &Prepared<'_>, travel: &Travel, path: &Path) -> Option<PathCheck> {
         let rules = self.rules(travel);
-        let check =
-            prepared
-                .checker
-                .check_while(&rules, path.start, path.end(), path, CONTACT_TOLERANCE_MM, &|| true);
-        check.expect("invariant: only a no gives up")
+        let go_on = || self.budget.check(0).is_ok();
+        let at_level = rules.heights.filter(|_| path.start_z_mm.is_none());
+        let at_level = at_level.map(|heights| path.clone().at_level(heights.start_z_mm));
+        let path = at_level.as_ref().unwrap_or(path);
+        prepared.checker.check_while(&rules, path.start, path.end(), path, CONTACT_TOLERANCE_MM, &go_on)
     }
 }
 
@@ -189,11 +232,11 @@ impl Stop {
 }
 
 impl RapidPlanner for ScenePlanner<'_> {
-    fn look(&self, travel: &Travel, path: &Path) -> Found {
+    fn look(&self, travel: &Travel, path: &Path) -> Result<Found, Reason> {
         if self.is_above_all(travel) {
-            return Found { hits: Vec::new(), margin_mm: None };
+            return Ok(Found { hits: Vec::new(), margin_mm: None });
         }
-        let check = self.check(self.prepared(travel), travel, path);
+        let check = self.check(self.prepared(travel), travel, path).ok_or(Reason::Interrupted)?;
         let mut hits: Vec<String> = Vec::new();
         for violation in check.violations {
             let id = violation.obstacle.unwrap_or_else(|| violation.reason.to_string());
@@ -201,7 +244,11 @@ impl RapidPlanner for ScenePlanner<'_> {
                 hits.push(id);
             }
         }
-        Found { hits, margin_mm: check.smallest_margin_mm }
+        Ok(Found { hits, margin_mm: check.smallest_margin_mm })
+    }
+
+    fn knows_heights(&self) -> bool {
+        self.over.is_some()
     }
 
     fn cost(&self, path: &Path) -> f64 {
@@ -218,13 +265,13 @@ impl RapidPlanner for ScenePlanner<'_> {
     fn shortest(&self, travel: &Travel, reserve_mm: f64) -> Result<Path, Reason> {
         let prepared = self.prepared(travel);
         let reserve_mm = reserve_mm * self.more_room(travel);
-        let wider = prepared.wider(reserve_mm);
+        let wider = prepared.wider(reserve_mm, self.budget).map_err(|_| Reason::Interrupted)?;
         let stop = match self.plan(&wider, travel, travel.from, travel.to) {
             Ok(path) => return Ok(path),
             Err(stop) => stop,
         };
         let reason = self.reason(prepared, travel, &stop, reserve_mm);
-        if reason != Reason::Rounding || matches!(stop, Stop::NoPath(_)) {
+        if reason != Reason::Rounding || matches!(stop, Stop::NoPath(_)) || travel.ends_z.is_some() {
             return Err(reason);
         }
         // Ends that keep the clearance but not the reserve are left by a small step first.

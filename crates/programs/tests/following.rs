@@ -45,7 +45,10 @@ fn modes_are_followed() {
     check("g00x 1 0 y.5\n g 1 x 2 0 \nx30\ng0y0", &["3: 0,0 > 10,0.5", "6: 30,0.5 > 30,0"]);
     check("G4 X3\nG0 X5", &["4: 0,0 > 5,0"]);
     check("X5\nG0 X9", &["4: 5,0 > 9,0"]);
-    check("G80 X5\nG0 X9", &["4! where it begins is not known since line 3: a move whose end"]);
+    check(
+        "G80 X5\nG0 X9",
+        &["3! whether it moves rapidly", "4! where it begins is not known since line 3: a move whose end"],
+    );
 }
 
 #[test]
@@ -174,4 +177,81 @@ fn numbers_without_a_point_are_not_trusted_on_fanuc() {
     let found = followed("O0001\nG90 G00 X0 Y0\nX10.\nX20\nG90 G00 X30. Y1.\n", &ReadOptions::default());
     assert!(found[2].starts_with("4? the number of X has no point"), "{found:?}");
     assert!(found[3].starts_with("5! where it begins is not known since line 4"), "{found:?}");
+}
+
+#[test]
+fn cycles_in_other_planes_lose_the_position() {
+    let begins = "! where it begins is not known since line 4: a move whose end";
+    for plane in ["G18", "G19"] {
+        let text = format!("{plane}\nG98 G81 X10 Z0 Y-40 R5\nG80\nG17\nG0 X100 Y5\nX101");
+        check(&text, &["4! a canned cycle", &format!("7{begins}"), "8: 100,5 > 101,5"]);
+    }
+    check("M98 P1\nG90 G81 X10 Y5 Z-3 R2\nG80", &["4! a canned cycle"]);
+}
+
+#[test]
+fn settings_without_axis_words_distort() {
+    check("G10 L2 P1 R90\nG1 X10 Y0\nG0 X100 Y0", &["5! the program sets offsets itself"]);
+}
+
+#[test]
+fn what_moves_without_a_motion_is_told() {
+    check("G81 X1 Y0 Z-1 R2\nG80\nX100 Y0", &["3: 0,0 > 1,0", "5! whether it moves rapidly"]);
+}
+
+/// The heights of links, in order.
+fn heights(text: &str, options: &ReadOptions) -> Vec<Option<f64>> {
+    let program = Program::read(text.as_bytes(), options).unwrap();
+    program.links.iter().map(|link| link.heights.lowest()).collect()
+}
+
+#[test]
+fn heights_are_lost_where_they_count_from_elsewhere() {
+    let start = "G21 G90 G54\nG0 X0 Y0 Z80\nG1 X1 F100\n";
+    let mut options = ReadOptions { start: Some(Point::new(0.0, 0.0)), ..ReadOptions::default() };
+    options.offsets.set(1, Vector::new(0.0, 0.0));
+    let behind = |lines: &str| heights(&format!("{start}{lines}G0 X100 Y0\n"), &options).pop().unwrap();
+    assert_eq!(behind(""), Some(80.0));
+    assert_eq!(behind("G54\n"), Some(80.0));
+    assert_eq!(behind("G55\n"), None);
+    assert_eq!(behind("G55\nG54\n"), None);
+    assert_eq!(behind("G55 G0 Z40\n"), Some(40.0));
+    for lines in ["G92 Z100\nG0 Z102\nG92.1\n", "G92 Z100\nG92.2\n", "G51 Z2\nG0 Z9\nG50\n"] {
+        assert_eq!(behind(&format!("{lines}G1 X1 Y0\n")), None, "{lines}");
+    }
+}
+
+#[test]
+fn m61_names_the_tool() {
+    let tools = |lines: &str| {
+        let text = format!("G21 G90\nG0 X0 Y0\nT1 M6\n{lines}\nG1 X1 Y0 F100\nG0 X100\n");
+        let program = Program::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+        program.links.last().map(|link| link.tool)
+    };
+    assert_eq!(tools(""), Some(Some(1)));
+    assert_eq!(tools("M61 Q2"), Some(Some(2)));
+    assert_eq!(tools("M61 Q#5"), Some(None));
+}
+
+#[test]
+fn nothing_is_inserted_before_a_byte_order_mark() {
+    use traverse_geometry::{CornerStyle, Obstacle, Polygon, Ring, Scene};
+    use traverse_programs::{ScenePlanner, ToolScenes, WriteOptions, rewrite};
+    let clamp = Ring::from_xy(&[40.0, -10.0, 60.0, -10.0, 60.0, 30.0, 40.0, 30.0], &[]).unwrap();
+    let shape = Polygon::from_ring(clamp);
+    let any = Scene {
+        work_area: None,
+        obstacles: vec![Obstacle { id: "clamp".into(), shape, clearance_mm: None, top_z_mm: None }],
+        clearance_mm: 5.0,
+        work_area_clearance_mm: None,
+        corner_style: CornerStyle::Round,
+    };
+    let scenes = ToolScenes { any, by_tool: Default::default(), safe_z_mm: None };
+    let options = ReadOptions { start: Some(Point::new(0.0, 0.0)), ..ReadOptions::default() };
+    let program = Program::read("\u{feff}G21 G90 G0 X100 Y0\nG1 X110 F100\n".as_bytes(), &options).unwrap();
+    let budget = traverse_solve::Budget::unlimited();
+    let text = rewrite(&program, &ScenePlanner::new(&scenes, &budget), &WriteOptions::default()).text;
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.starts_with("\u{feff}G0 X"), "{text}");
+    assert_eq!(text.matches('\u{feff}').count(), 1);
 }

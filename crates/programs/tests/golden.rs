@@ -70,8 +70,8 @@ fn grbl_in_inches_never_feeds_arcs_while_the_beam_may_be_on() {
 struct Free;
 
 impl RapidPlanner for Free {
-    fn look(&self, _: &Travel, _: &Path) -> Found {
-        Found { hits: Vec::new(), margin_mm: None }
+    fn look(&self, _: &Travel, _: &Path) -> Result<Found, Reason> {
+        Ok(Found { hits: Vec::new(), margin_mm: None })
     }
 
     fn shortest(&self, _: &Travel, _: f64) -> Result<Path, Reason> {
@@ -83,8 +83,8 @@ impl RapidPlanner for Free {
 struct Blocked;
 
 impl RapidPlanner for Blocked {
-    fn look(&self, _: &Travel, _: &Path) -> Found {
-        Found { hits: vec!["everything".to_owned()], margin_mm: Some(-1.0) }
+    fn look(&self, _: &Travel, _: &Path) -> Result<Found, Reason> {
+        Ok(Found { hits: vec!["everything".to_owned()], margin_mm: Some(-1.0) })
     }
 
     fn shortest(&self, _: &Travel, _: f64) -> Result<Path, Reason> {

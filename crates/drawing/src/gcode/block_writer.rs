@@ -15,12 +15,17 @@ const LONGEST_SWEEP: f64 = 1.5 * std::f64::consts::PI;
 /// A rounded point is at most this many last places away.
 const ROUNDING_STEPS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
+/// A height that is rounded down by no more, in last places, is the same: rounding of doubles.
+const SAME_HEIGHT_STEPS: f64 = 1e-6;
+
 pub(crate) struct BlockWriter<'a> {
     settings: &'a GcodeSettings,
     grid: Grid,
     axes: Axes,
     /// Where the controller stands.
     at: Words,
+    /// Its height, in last places; none: the path has no heights.
+    at_z: Option<i64>,
     /// The last G word that was written.
     motion: Option<u8>,
     feed_written: bool,
@@ -33,12 +38,39 @@ impl<'a> BlockWriter<'a> {
         let axes = Axes::from(settings.plane);
         let at = axes.position(grid, start).map_err(|too_large| number_too_large(grid, 0, too_large))?;
         let moves = GcodeMoves { lines: Vec::new(), decimals, fed_arc_count: 0, straightened_arc_count: 0 };
-        Ok(Self { settings, grid, axes, at, motion: None, feed_written: false, moves })
+        Ok(Self { settings, grid, axes, at, at_z: None, motion: None, feed_written: false, moves })
     }
 
     /// Where the controller stands, as words.
     pub(crate) fn position_text(&self) -> String {
         self.axes.position_text(self.grid, self.at)
+    }
+
+    /// Its height, as a word; nothing where there are no heights.
+    pub(crate) fn height_text(&self) -> String {
+        self.at_z.map_or_else(String::new, |z| format!(" Z{}", self.grid.text(z)))
+    }
+
+    pub(crate) fn stand_at_height(&mut self, z_mm: f64) -> Result<(), GcodeError> {
+        self.at_z = Some(self.height_count(z_mm, 0)?);
+        Ok(())
+    }
+
+    /// Rises or sinks to a height, unless it stands there.
+    pub(crate) fn height(&mut self, z_mm: f64, step: usize) -> Result<(), GcodeError> {
+        let z = self.height_count(z_mm, step)?;
+        if self.at_z.replace(z) != Some(z) {
+            self.block(0, &self.height_text(), None);
+        }
+        Ok(())
+    }
+
+    /// The count of a height, rounded up: what is passed over may need all of it.
+    fn height_count(&self, z_mm: f64, step: usize) -> Result<i64, GcodeError> {
+        let too_large = || number_too_large(self.grid, step, ('Z', z_mm));
+        let count = self.grid.count(z_mm).ok_or_else(too_large)?;
+        let is_short = z_mm - self.grid.mm(count) > SAME_HEIGHT_STEPS * self.grid.step_mm();
+        Ok(if is_short { count + 1 } else { count })
     }
 
     fn words(&self, p: Point, step: usize) -> Result<Words, GcodeError> {

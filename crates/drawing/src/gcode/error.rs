@@ -20,9 +20,17 @@ pub enum GcodeError {
         /// What it holds.
         value: f64,
     },
-    /// The path has heights: moves in the plane alone would run into what it passes over.
-    #[error("the path has heights, which are not written as g-code; plan without heights")]
+    /// The path has heights, and the plane is one without a Z of its own: moves in it alone would run into what is passed over.
+    #[error(
+        "the path has heights, which are written on X and Y only; use plane = \"G17\" or plan without heights"
+    )]
     Heights,
+    /// Only some of the path's heights are there.
+    #[error("step {step} of the path has no height and others have; give all of them or none")]
+    HeightMissing {
+        /// Counted from 1; 0 for the start.
+        step: usize,
+    },
     /// The numbers of an arc contradict each other.
     #[error(
         "step {step} of the path ends {distance_mm} mm off where its centre and sweep lead; correct its end"

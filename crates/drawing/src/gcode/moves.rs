@@ -2,7 +2,7 @@
 
 use super::block_writer::BlockWriter;
 use super::error::GcodeError;
-use super::settings::GcodeSettings;
+use super::settings::{GcodePlane, GcodeSettings};
 use traverse_geometry::{Arc, Path, Point, unit};
 
 /// How far an arc's end may lie off where centre and sweep lead, millimetres; and that per millimetre of radius.
@@ -56,7 +56,7 @@ pub struct GcodeMoves {
 /// force, and no cutter compensation. Positions are absolute, and off the path by up to 0.71 of the last decimal place:
 /// plan with that much more clearance where it matters. A step that is shorter than the last decimal place is
 /// left out. Arcs of more than three quarters of a turn are split in two; an arc whose chord is within half a last
-/// place is moved straight.
+/// place is moved straight. Steps along the height alone are G0 along Z, rounded up; in G17 only.
 ///
 /// # Errors
 /// When settings or path are wrong, a number is too large for the controller, or it would refuse an arc.
@@ -85,7 +85,7 @@ pub(crate) fn written(
     if !findings.is_empty() {
         return Err(GcodeError::Settings { findings });
     }
-    check_path(path)?;
+    check_path(path, settings.plane)?;
     let (first, last) = settings.decimals.map_or(
         (
             settings.dialect.usual_decimals(settings.unit),
@@ -110,8 +110,15 @@ fn with_decimals(
 ) -> Result<(String, GcodeMoves), GcodeError> {
     let mut writer = BlockWriter::new(settings, decimals, path.start)?;
     let start = writer.position_text();
+    if let Some(z_mm) = path.start_z_mm {
+        writer.stand_at_height(z_mm)?;
+    }
+    let start = start + &writer.height_text();
     let mut from = path.start;
     for (step, number) in path.steps.iter().zip(1..) {
+        if let Some(z_mm) = step.z_mm {
+            writer.height(z_mm, number)?;
+        }
         match step.arc {
             None => writer.straight(step.end, number)?,
             Some(circle) => {
@@ -123,13 +130,22 @@ fn with_decimals(
     Ok((start, writer.finish(after)))
 }
 
-fn check_path(path: &Path) -> Result<(), GcodeError> {
+fn check_path(path: &Path, plane: GcodePlane) -> Result<(), GcodeError> {
     let finite = |p: Point, step| {
         let wrong = [p.x, p.y].into_iter().find(|value| !value.is_finite());
         wrong.map_or(Ok(()), |value| Err(GcodeError::NotFinite { step, value }))
     };
-    if path.start_z_mm.is_some() || path.steps.iter().any(|step| step.z_mm.is_some()) {
-        return Err(GcodeError::Heights);
+    let heights = || std::iter::once(path.start_z_mm).chain(path.steps.iter().map(|step| step.z_mm));
+    if heights().any(|z_mm| z_mm.is_some()) {
+        if plane != GcodePlane::Xy {
+            return Err(GcodeError::Heights);
+        }
+        for (step, z_mm) in heights().enumerate() {
+            let value = z_mm.ok_or(GcodeError::HeightMissing { step })?;
+            if !value.is_finite() {
+                return Err(GcodeError::NotFinite { step, value });
+            }
+        }
     }
     finite(path.start, 0)?;
     let mut from = path.start;
