@@ -1,19 +1,15 @@
 //! A piece of a border as it is met by something that comes sideways: to each height of a range belongs one reach.
 //!
 //! Reaches are floors at exact heights: what rounding may have added is taken off, so that a bound that adds reaches never
-//! says too much. Likewise a flank begins and ends where its border certainly is: where a height is known up to rounding
-//! (tops of arcs, vertices of what is turned upside down), it is shorter by that.
+//! says too much. Likewise a flank begins and ends where its border certainly is: at tops of arcs, whose height is known up to
+//! rounding, it is shorter by that.
 
 use crate::curve::{Circular, Curve, Straight};
 use std::f64::consts::FRAC_PI_2;
 use traverse_geometry::{Point, Vector};
 
-/// Roundings of the largest number involved that may be in the place of a circular edge, vertices that are turned upside
-/// down included. Arcs of more than half a turn have as many more as they are wider than their chord.
+/// Roundings of the largest number involved that may be in the place of a circular edge. Arcs of more than half a turn have as many more as they are wider than their chord.
 const ARC_ROUNDINGS: f64 = 16.0;
-
-/// How many times the slack of its vertices a straight edge may lie off, at the end of the flank, rounding included.
-const END_SLACKS: f64 = 4.0;
 
 /// A straight or circular piece that does not turn back in height.
 #[derive(Clone, Debug)]
@@ -50,39 +46,23 @@ pub(crate) enum Slopes {
 }
 
 impl Flank {
-    /// Shows the flanks of an edge, reaches being its x. The heights of its vertices are off by at most `slacks`.
-    pub(crate) fn each(curve: &Curve, slacks: [f64; 2], mut show: impl FnMut(Self)) {
+    /// Shows the flanks of an edge, reaches being its x.
+    pub(crate) fn each(curve: &Curve, mut show: impl FnMut(Self)) {
         match curve {
-            Curve::Straight(straight) => show_sound(Self::of_straight(straight, slacks), &mut show),
-            Curve::Circular(arc) => Self::each_of_arc(curve, arc, slacks, show),
+            Curve::Straight(straight) => show(Self::of_straight(straight)),
+            Curve::Circular(arc) => Self::each_of_arc(curve, arc, show),
         }
     }
 
-    fn of_straight(straight: &Straight, slacks: [f64; 2]) -> Self {
-        let [a, b] = [(straight.a, slacks[0]), (straight.b, slacks[1])];
-        let ((low, low_slack), (high, high_slack)) = if a.0.y <= b.0.y { (a, b) } else { (b, a) };
-        if low.y == high.y {
-            let furthest = low.x.max(high.x);
-            let (from, to) = (above(low.y, low_slack), below(high.y, high_slack));
-            return Self { low: from, high: to, at_low: furthest, at_high: furthest, round: None };
-        }
-        let (rise, height, slack) = (high.x - low.x, high.y - low.y, low_slack.max(high_slack));
-        // Where the edge leans inwards, the reach at an end that may lie farther out is less.
-        let at_end = |x: f64, rise: f64, own_slack: f64, moved: f64| match own_slack > 0.0 {
-            true => x + rise.min(0.0) * ((moved + END_SLACKS * slack) / height).min(1.0),
-            false => x,
-        };
-        let (from, to) = (above(low.y, low_slack), below(high.y, high_slack));
-        Self {
-            low: from,
-            high: to,
-            at_low: at_end(low.x, rise, low_slack, from - low.y),
-            at_high: at_end(high.x, -rise, high_slack, high.y - to),
-            round: None,
-        }
+    fn of_straight(straight: &Straight) -> Self {
+        let Straight { a, b, .. } = *straight;
+        let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
+        let (at_low, at_high) =
+            if low.y == high.y { (low.x.max(high.x), low.x.max(high.x)) } else { (low.x, high.x) };
+        Self { low: low.y, high: high.y, at_low, at_high, round: None }
     }
 
-    fn each_of_arc(curve: &Curve, arc: &Circular, slacks: [f64; 2], mut show: impl FnMut(Self)) {
+    fn each_of_arc(curve: &Curve, arc: &Circular, mut show: impl FnMut(Self)) {
         let mut cuts = vec![0.0, 1.0];
         curve.cut_by_direction(Vector::y(), &mut cuts);
         cuts.sort_by(f64::total_cmp);
@@ -93,11 +73,8 @@ impl Flank {
         for pair in cuts.windows(2) {
             let bulges = curve.point_at(f64::midpoint(pair[0], pair[1])).x >= center.x;
             let round = Round { center, radius: arc.radius, bulges, slack };
-            // A vertex is what was sent; what was cut or turned upside down is known up to rounding.
-            let end = |fraction: f64| {
-                let is_sent = (fraction == 0.0 && slacks[0] == 0.0) || (fraction == 1.0 && slacks[1] == 0.0);
-                (curve.point_at(fraction), is_sent)
-            };
+            // A vertex is what was sent; what was cut is known up to rounding.
+            let end = |fraction: f64| (curve.point_at(fraction), fraction == 0.0 || fraction == 1.0);
             let (from, to) = (end(pair[0]), end(pair[1]));
             let (low, high) = if from.0.y <= to.0.y { (from, to) } else { (to, from) };
             let moved =

@@ -105,7 +105,7 @@ mod tests {
 
     fn flanks(curve: &Curve) -> Vec<Flank> {
         let mut flanks = Vec::new();
-        Flank::each(curve, [0.0; 2], |flank| flanks.push(flank));
+        Flank::each(curve, |flank| flanks.push(flank));
         flanks
     }
 

@@ -6,7 +6,7 @@ use traverse_checker::{
     BoundClaim, CERTIFIED_PAIR_LIMIT, JoinPrices, LayoutCertificate, ViolationReason, certificate_findings,
     certified_bound_mm, certified_bound_mm_while, check_certified_sections_while, claim_tolerance_mm,
 };
-use traverse_geometry::{PlacedSection, Pose, Reason, Section, SectionLayout, SlideRule};
+use traverse_geometry::{PlacedSection, Point, Pose, Reason, Section, SectionLayout, SlideRule};
 
 fn joins(rows_mm: &[f64], columns_mm: &[f64], sets: &[(&[usize], f64)]) -> LayoutCertificate {
     LayoutCertificate::Joins(JoinPrices {
@@ -218,29 +218,23 @@ fn heights_a_rounding_error_too_far_apart_do_not_meet() {
 }
 
 #[test]
-fn heights_that_are_rounded_upside_down_do_not_meet() {
+fn what_stands_upside_down_meets_what_the_poses_motion_says() {
     let prices = joins(&[100.0, 100.0, 0.0], &[0.0; 3], &[]);
-    let mut decided_by_rounding = 0;
     for i in 1..200 {
         // Turned, its step comes to lie below a thin post that passes the other section.
         let step = f64::from(i) / 300.0;
         let parts = vec![rectangle("p", 0.0, step, 100.0, 90.7), rectangle("post", 0.0, -9.3, 1.0, step)];
         let stepped = Section { poses: vec![Pose::MirrorY], ..as_is("stepped", parts) };
         let bounds = stepped.bounds();
-        let rounded = bounds.min.y + bounds.max.y - step;
-        for bottom in [rounded, rounded.next_up(), rounded.next_down()] {
+        let top = Pose::MirrorY.motion(&bounds).point(Point::new(0.0, step)).y;
+        let bound = |bottom: f64| {
             let above = as_is("above", vec![rectangle("p", 0.0, bottom, 100.0, bottom + 100.0)]);
-            let bound = certified_bound_mm(&layout(vec![stepped.clone(), above]), &prices);
-            // All that is sent is a multiple of this.
-            let whole = |mm: f64| (mm * 2.0_f64.powi(70)) as i128;
-            let meets = whole(bounds.min.y) + whole(bounds.max.y) - whole(step) >= whole(bottom);
-            assert!(meets || bound <= 101.0, "{i}: {bound}");
-            decided_by_rounding += usize::from(!meets && rounded >= bottom);
-        }
-        let below = as_is("below", vec![rectangle("p", 0.0, rounded - 1e-9, 100.0, 200.0)]);
-        near(certified_bound_mm(&layout(vec![stepped, below]), &prices), 200.0);
+            certified_bound_mm(&layout(vec![stepped.clone(), above]), &prices)
+        };
+        assert!(bound(top.next_up()) <= 101.0, "{i}: {}", bound(top.next_up()));
+        near(bound(top), 200.0);
+        near(bound(top - 1e-9), 200.0);
     }
-    assert!(decided_by_rounding > 20, "{decided_by_rounding}");
 }
 
 #[test]
