@@ -5,7 +5,7 @@ mod oracle;
 use oracle::{Borders, least_margin, section, standing, stopped};
 use rand::{Rng, RngExt};
 use std::collections::HashMap;
-use traverse_geometry::{Pose, SectionLayout, SlideRule};
+use traverse_geometry::{Point, Polygon, Pose, Ring, SectionLayout, SlideRule};
 use traverse_layout_sequencing::{Ending, OrderOptions, join, layout_findings, order_sections, place};
 use traverse_solve::{Budget, Seed, Trace};
 
@@ -168,4 +168,47 @@ fn answers_are_the_shortest_of_all_orders() {
         }
     }
     assert!(optimal > 200 && infeasible > 10, "{optimal} {infeasible}");
+}
+
+/// The layout with every width so many times as large; what has an even number stands `lift_mm` higher.
+fn widened(layout: &SectionLayout, times: f64, lift_mm: f64) -> SectionLayout {
+    let mut wide = SectionLayout { gap_mm: 0.0, ..layout.clone() };
+    for (number, section) in wide.sections.iter_mut().enumerate() {
+        let lift = if number % 2 == 0 { lift_mm } else { 0.0 };
+        for part in &mut section.parts {
+            let shape = part.in_section();
+            let xy = shape.outer().vertices().iter().flat_map(|p| [p.x * times, p.y + lift]);
+            let ring = Ring::from_xy(&xy.collect::<Vec<_>>(), &[]).unwrap();
+            part.shape = Polygon::from_ring(ring);
+            part.pole = Point::origin();
+        }
+    }
+    wide
+}
+
+#[test]
+fn sections_of_a_hundred_metres_are_ordered_as_those_of_a_decimetre_are() {
+    let options = OrderOptions {
+        inner_overlap: traverse_layout_sequencing::InnerOverlap::Allowed,
+        ..Default::default()
+    };
+    let mut chance = Seed(7).stream();
+    let mut compared = 0;
+    for case in 0..120 {
+        let layout = layout_of_chance(Borders::Straight, &mut chance);
+        // Of disjoint heights nothing is in the way of anything.
+        let lift_mm = [0.0, 100.0][case % 2];
+        let [small, wide] = [10.0, 10_000.0].map(|times| {
+            let layout = widened(&layout, times, lift_mm);
+            order_sections(&layout, &options, &Budget::unlimited(), &mut Trace::default())
+        });
+        let (Ok(small), Ok(wide)) = (small, wide) else { continue };
+        let (Some(a), Some(b)) = (&small.plan, &wide.plan) else { continue };
+        let (short, long) = (a.length_mm, b.length_mm / 1000.0);
+        assert!((short - long).abs() < 1e-4 * short, "{case}: {short} {long}");
+        assert!(wide.lower_bound_mm <= 1000.0 * short * (1.0 + 1e-6), "{case}: {}", wide.lower_bound_mm);
+        assert!(wide.certified_lower_bound_mm <= 1000.0 * short * (1.0 + 1e-6), "{case}");
+        compared += 1;
+    }
+    assert!(compared > 60, "{compared}");
 }
