@@ -178,7 +178,7 @@ fn widened(layout: &SectionLayout, times: f64, lift_mm: f64) -> SectionLayout {
         for part in &mut section.parts {
             let shape = part.in_section();
             let xy = shape.outer().vertices().iter().flat_map(|p| [p.x * times, p.y + lift]);
-            let ring = Ring::from_xy(&xy.collect::<Vec<_>>(), &[]).unwrap();
+            let ring = Ring::from_xy(&xy.collect::<Vec<_>>(), &[]).expect("as sound as before");
             part.shape = Polygon::from_ring(ring);
             part.pole = Point::origin();
         }
