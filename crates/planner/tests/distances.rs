@@ -4,9 +4,9 @@
 mod support;
 
 use rand::RngExt;
-use support::{disc, mitred, point, rectangle, scene, stars};
+use support::{disc, mitred, point, rectangle, ring, scene, stars};
 use traverse_geometry::{
-    ArcOutput, AxisSpeeds, EndRule, HeightRule, Point, RapidRules, Scene, TravelCost, Vector,
+    ArcOutput, AxisSpeeds, EndRule, HeightRule, Point, Polygon, RapidRules, Scene, TravelCost, Vector,
 };
 use traverse_planner::{
     Algorithm, Answer, DistanceEnd, DistanceQuery, DistancesRefusal, RapidMove, Refusal, plan_distances,
@@ -95,6 +95,29 @@ fn every_entry_costs_what_its_plan_costs() {
                 let counts = assert_plans(&scene, &query, &format!("seed {seed}")).unwrap();
                 unreachable += counts[1];
             }
+        }
+    }
+    assert!(unreachable > 0, "some points lie in closed courts");
+}
+
+/// So many that one search in all directions takes less than one for each.
+#[test]
+fn many_points_among_few_corners_cost_what_their_plans_cost() {
+    let mut unreachable = 0;
+    for seed in 0..20 {
+        let mut random = Seed(seed).stream();
+        let mut shapes = stars(&mut random, 7, 100.0, 25.0);
+        // Nobody gets out of the frame.
+        let square = |low: f64, high: f64| ring(&[(low, low), (high, low), (high, high), (low, high)]);
+        let frame = Polygon::new(square(60.0, 95.0), vec![square(63.0, 92.0)]).unwrap();
+        shapes.extend([disc(20.0, 80.0, 9.0), disc(26.0, 74.0, 7.0), frame]);
+        let work_area = Some(rectangle(-12.0, -12.0, 112.0, 112.0));
+        let bounded = Scene { work_area, ..scene(shapes.clone(), 1.5) };
+        for scene in [scene(shapes.clone(), 0.0), bounded, mitred(scene(shapes, 1.0))] {
+            let from = clear_points(&mut random, &scene, 2, 100.0);
+            let to = clear_points(&mut random, &scene, 250, 100.0);
+            let query = question(&from, &to, &RapidRules::default());
+            unreachable += assert_plans(&scene, &query, &format!("seed {seed}")).unwrap()[1];
         }
     }
     assert!(unreachable > 0, "some points lie in closed courts");

@@ -2,7 +2,7 @@
 //! other, or one in all directions, whichever takes less.
 
 use super::at_clearance::Clear;
-use super::pace::Pace;
+use super::single_searches::SingleSearches;
 use crate::prepared::{Fan, FanRoom, PreparedScene};
 use crate::search::{End, Goal, Sighted};
 use crate::standing::stand;
@@ -60,7 +60,7 @@ impl AtLevel<'_> {
         let (near, far) = if by_columns { (to, from) } else { (from, to) };
         let mut near = ends_of(&mut prepared, near, pairs.iter().map(|pair| pair.0), budget)?;
         let mut far = ends_of(&mut prepared, far, pairs.iter().map(|pair| pair.1), budget)?;
-        let (mut pace, mut room, mut sighted_count) = (Pace::default(), FanRoom::default(), 0);
+        let (mut singles, mut room, mut sighted_count) = (SingleSearches::default(), FanRoom::default(), 0);
         for same_start in pairs.chunk_by(|a, b| a.0 == b.0) {
             let from = same_start[0].0;
             let Some(start) = &mut near[from] else { continue };
@@ -71,11 +71,12 @@ impl AtLevel<'_> {
             let mut goals: Vec<usize> =
                 same_start.iter().map(|&(_, at)| at).filter(|&at| far[at].is_some()).collect();
             while let Some(&at) = goals.last() {
-                if pace.is_spread_worth_it(goals.len(), prepared.feature_count()) {
+                if singles.is_spread_worth_it(goals.len(), prepared.feature_count()) {
                     let mut fan = Fan::new(&mut prepared, &mut room);
-                    let all = std::iter::once(&mut *start);
-                    for seen in all.chain(far.iter_mut().flatten()) {
-                        sighted_count += seen.look(&fan, budget)?;
+                    sighted_count += start.look(&fan, budget)?;
+                    for &at in &goals {
+                        let Some(goal) = &mut far[at] else { continue };
+                        sighted_count += goal.look(&fan, budget)?;
                         if sighted_count > SIGHTED_LIMIT {
                             return Err(Interrupt::Memory);
                         }
@@ -91,7 +92,7 @@ impl AtLevel<'_> {
                 let Some(target) = &far[at] else { continue };
                 let mut stats = Stats { expanded_nodes: *steps, ..Stats::default() };
                 let cost = prepared.cost_between([&start.end, &target.end], budget, &mut stats)?;
-                pace.note(stats.expanded_nodes - *steps);
+                singles.note(stats.expanded_nodes - *steps);
                 *steps = stats.expanded_nodes;
                 tell(at, cost);
             }

@@ -1,10 +1,9 @@
 //! Shortest costs between many points of one scene: what sequencing asks for.
 //!
-//! Every entry is what [`crate::plan_rapid_move`] would answer, worked out from one point to all others at once. The data's
-//! way: clearances are tried in turn (`at_clearance`), as for a single move; the points' ways out of the barriers are found
+//! Every entry is what [`crate::plan_rapid_move`] would answer. The data's way: clearances are tried in turn (`at_clearance`), as for a single move; the points' ways out of the barriers are found
 //! once; at each level that matters the barriers are prepared once (`at_level`), and from each point one search goes to each
-//! that may still be nearer there, or one to all, whichever takes less (`pace`). What is not the length of the shortest path (time, chords, dog-legs, the published scan)
-//! is planned pair by pair (`by_pairs`).
+//! that may still be nearer there, or one to all, whichever takes less (`single_searches`). What is not the length of the
+//! shortest path (time, chords, dog-legs, the published scan) is planned pair by pair (`by_pairs`).
 //!
 //! A way is as long in either direction. So where the list of targets is the list of starts and both ends follow the same
 //! rules, only pairs of different points are worked out, each once; and the searches run from whichever list is shorter.
@@ -13,7 +12,7 @@ mod at_clearance;
 mod at_level;
 mod by_pairs;
 mod matrix;
-mod pace;
+mod single_searches;
 
 use crate::{Algorithm, Refusal};
 use at_clearance::AtClearance;
