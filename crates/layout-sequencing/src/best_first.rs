@@ -139,7 +139,7 @@ impl Search<'_> {
             self.grow(number, placed, progress);
         }
         if progress.best().is_some() {
-            progress.raise_bound(progress.upper());
+            progress.raise_bound_to_what_is_reached();
         }
         Ok(Searched::Everything)
     }

@@ -14,7 +14,7 @@ use crate::completion::{Completion, NO_COMPLETION};
 use crate::findings::layout_findings;
 use crate::height_bound::height_bound;
 use crate::improvement::Improvement;
-use crate::instance::{Instance, Kind};
+use crate::instance::Instance;
 use crate::layout::{bounding_box_length_mm, contacts_by, layout_length_mm, published_length_mm};
 use crate::options::{Algorithm, ContactList, EffectModel, OrderOptions};
 use crate::places::Places;
@@ -286,8 +286,7 @@ impl Order<'_> {
             return Ok(Some(self.close_ending()));
         }
         let share = Budget { iterations: None, ..self.budget.share(TABLE_SHARE, 0) };
-        let boxes = |kind: &Kind| instance.items[kind.items.start].reach * kind.copies.len() as i64;
-        let longest = self.progress.upper().min(instance.kinds.iter().map(boxes).sum());
+        let longest = self.progress.upper().min(instance.sum_of_reaches());
         let everything = vec![true; instance.kinds.len()];
         let mut tables = vec![];
         for members in [Some(everything), chain].into_iter().flatten() {
@@ -324,7 +323,9 @@ impl Order<'_> {
         let plan = self.progress.best().and_then(|(items, _)| self.plan(items).ok());
         let length_mm = plan.as_ref().map_or(f64::INFINITY, |plan| plan.length_mm);
         let proven = self.progress.is_proven();
-        let bound = if proven { length_mm } else { grid.mm(self.progress.bound()).min(length_mm) };
+        // A proof may miss what bounds miss that count in a coarser unit: the bound says so.
+        let has_met = self.progress.bound() == self.progress.upper();
+        let bound = if has_met { length_mm } else { grid.mm(self.progress.bound()).min(length_mm) };
         let infeasible = ending == Ending::ProvenInfeasible;
         LayoutAnswer {
             plan,

@@ -55,6 +55,11 @@ impl<'a> Progress<'a> {
         }
     }
 
+    /// Nothing shorter is left that a bound, up to what it may miss, does not exclude.
+    pub(crate) fn raise_bound_to_what_is_reached(&mut self) {
+        self.raise_bound(self.upper().saturating_sub(self.coarseness));
+    }
+
     /// Bounds from here on may miss so many units because they count in a coarser one.
     pub(crate) fn count_coarsely(&mut self, coarseness: i64) {
         self.coarseness = coarseness;
