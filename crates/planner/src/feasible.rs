@@ -13,7 +13,7 @@
 use crate::at_clearance::AtClearance;
 use crate::barriers::Barriers;
 use crate::lowered::{largest_clearance, lowered};
-use crate::shortest_route::MeetingBarriers;
+use crate::prepared::LinksAtLast;
 use crate::{FeasibleClearance, RapidMove, Stats};
 use traverse_geometry::{CONTACT_TOLERANCE_MM, Scene};
 use traverse_solve::{Budget, Interrupt};
@@ -30,7 +30,7 @@ pub(crate) fn feasible_clearance(
 ) -> FeasibleClearance {
     let mut has_path = |scene: &Scene| {
         let barriers = Barriers::new(scene, budget)?;
-        AtClearance::new(&barriers, query, budget, &mut MeetingBarriers).has_path(stats)
+        AtClearance::new(&barriers, query, budget, &mut LinksAtLast).has_path(stats)
     };
     most_feasible(scene, &mut has_path).unwrap_or(FeasibleClearance::Unknown)
 }

@@ -1,10 +1,19 @@
-//! Scenes with other clearances.
+//! Scenes with other clearances, or fewer obstacles.
 
+use std::collections::BTreeSet;
 use traverse_geometry::{SMALLEST_CLEARANCE_MM, Scene};
 
 /// The scene with another clearance for all that names none of its own.
 pub(crate) fn with_clearance(scene: &Scene, clearance_mm: f64) -> Scene {
     Scene { clearance_mm, ..scene.clone() }
+}
+
+/// The scene without these of its obstacles.
+pub(crate) fn without(scene: &Scene, left_out: &BTreeSet<usize>) -> Scene {
+    let mut rest = scene.clone();
+    let mut place = 0..;
+    rest.obstacles.retain(|_| place.next().is_some_and(|place| !left_out.contains(&place)));
+    rest
 }
 
 /// Lowers every clearance by the same amount, not below 0. What would come to lie between 0 and the smallest clearance

@@ -10,8 +10,9 @@ use crate::at_clearance::{AtClearance, Outcome};
 use crate::barriers::Barriers;
 use crate::feasible::feasible_clearance;
 use crate::lowered::with_clearance;
+use crate::prepared::LinksAtLast;
 use crate::price::{at_rest, straight, vertical};
-use crate::shortest_route::{MeetingBarriers, ShortestRoute};
+use crate::shortest_route::ShortestRoute;
 use crate::supporting_lines::Scan;
 use crate::{Algorithm, Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 use traverse_geometry::{EndRule, Path, Scene, TravelCost};
@@ -59,7 +60,7 @@ fn plan_in(
     let barriers = Barriers::new(scene, budget)
         .map_err(|interrupt| vec![Refusal::Interrupted { interrupt, lower_bound: least_cost(query) }])?;
     let asked = Asked { barriers: &barriers, query, is_last, budget };
-    let answer = plan_among(asked, &mut MeetingBarriers, stats, observer)?;
+    let answer = plan_among(asked, &mut LinksAtLast, stats, observer)?;
     Ok(with_feasible_clearance(answer, scene, query, is_last, budget, stats))
 }
 

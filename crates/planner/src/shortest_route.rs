@@ -21,7 +21,7 @@ pub(crate) trait ShortestRoute {
     ) -> (Result<Option<Route>, Interrupt>, f64);
 }
 
-/// By a search that meets barriers as it goes.
+/// By a search that meets barriers as it goes, and no further where its labels outgrow their memory.
 pub(crate) struct MeetingBarriers;
 
 impl ShortestRoute for MeetingBarriers {

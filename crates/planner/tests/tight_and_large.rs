@@ -8,8 +8,12 @@ mod support;
 use rand::RngExt;
 use std::f64::consts::TAU;
 use support::oracle::{Circle, Wall, shortest};
-use support::{answer, assert_close, disc, mitred, no_path, plan, point, query, rectangle, scene, star};
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Obstacle, Point, Polygon, Ring, Scene, unit};
+use support::{
+    answer, assert_close, disc, mitred, no_path, plan, plan_by, point, polygon, query, rectangle, scene, star,
+};
+use traverse_geometry::{
+    CONTACT_TOLERANCE_MM, HeightRule, Obstacle, Point, Polygon, RapidRules, Ring, Scene, unit,
+};
 use traverse_planner::{Answer, FeasibleClearance, PreparedScene};
 use traverse_solve::{Budget, Seed, Silent};
 
@@ -266,4 +270,30 @@ fn an_obstacle_that_is_all_border_is_no_trouble() {
     seam.obstacles[1] = Obstacle { clearance_mm: Some(0.0), ..seam.obstacles[1].clone() };
     let over = plan(&seam, point(-5.0, 5.0), point(25.0, 5.0));
     assert!(over.cost > 30.0 && over.cost < 45.0, "{}", over.cost);
+}
+
+/// Every corner of a cogwheel sees thousands of others past its neighbours: more pairs than a search may have labels.
+#[test]
+fn what_outgrows_the_labels_of_one_search_is_planned_along_links() {
+    let cogs: Vec<(f64, f64)> = (0..16_000)
+        .map(|i| {
+            let (angle, radius) = (TAU * f64::from(i) / 16_000.0, 4000.0 + f64::from(i % 2) * 0.2);
+            (radius * angle.cos(), radius * angle.sin())
+        })
+        .collect();
+    let mut wheel = scene([rectangle(0.0, 5000.0, 1.0, 5001.0), polygon(&cogs)], 0.01);
+    wheel.obstacles[0].top_z_mm = Some(1.0);
+    let (start, target) = (point(-5000.0, 10.0), point(5000.0, 10.0));
+    let found = plan(&wheel, start, target);
+    // Twice from an end to the circle of the outer cogs, and the arc between.
+    let (distance, radius) = (5000.0_f64.hypot(10.0), 4000.21);
+    let half_arc = std::f64::consts::FRAC_PI_2 - 10.0_f64.atan2(5000.0) - (radius / distance).acos();
+    let round = 2.0 * ((distance * distance - radius * radius).sqrt() + radius * half_arc);
+    assert!(found.cost < round && found.cost > round - 0.1, "{} {round}", found.cost);
+    assert_eq!((found.lower_bound, &found.bending_obstacles[..]), (found.cost, &["o1".to_owned()][..]));
+    // Passing over the first obstacle, the second keeps its name.
+    let heights = HeightRule { start_z_mm: 5.0, target_z_mm: 5.0, highest_z_mm: 9.0, clearance_z_mm: 1.0 };
+    let rules = RapidRules { heights: Some(heights), ..RapidRules::default() };
+    let over = plan_by(&wheel, &rules, start, target);
+    assert_eq!((over.cost, over.bending_obstacles), (found.cost, found.bending_obstacles));
 }

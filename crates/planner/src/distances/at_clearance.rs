@@ -7,6 +7,7 @@ use crate::Refusal;
 use crate::barriers::Barriers;
 use crate::ends::clear_end;
 use crate::level::Levels;
+use crate::lowered::without;
 use traverse_geometry::{EndRule, Point, Scene};
 use traverse_solve::{Budget, Interrupt};
 
@@ -69,10 +70,8 @@ impl AtClearance<'_> {
                 break;
             }
             let left_out = levels.passed_over(&barriers, level);
-            let mut place = 0..;
-            let mut there = scene.clone();
-            there.obstacles.retain(|_| place.next().is_some_and(|place| !left_out.contains(&place)));
-            let at_level = AtLevel { scene: there, from: &from, to: &to, pairs: &open, budget };
+            let at_level =
+                AtLevel { scene: without(scene, &left_out), from: &from, to: &to, pairs: &open, budget };
             at_level.solve(steps, |row, column, plane| {
                 let leads = ends(row, column).map_or(0.0, |(start, target)| start.lead + target.lead);
                 matrix.lower(row, column, plane + leads + vertical);

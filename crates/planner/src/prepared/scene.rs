@@ -200,6 +200,21 @@ impl PreparedScene {
         Ok((answer, stats))
     }
 
+    /// The shortest route between two ends, and a cost that no route is below.
+    pub(super) fn route_between(
+        &mut self,
+        ends: [&End; 2],
+        budget: &Budget,
+        stats: &mut Stats,
+        observer: &mut dyn Observer,
+    ) -> (Result<Option<Route>, Interrupt>, f64) {
+        let Self { scene, terrain, sights, room, mesh, .. } = self;
+        let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
+        mesh.note_query(terrain, &barriers, budget);
+        let mut along = AlongSights { terrain, mesh: mesh.get(), sights, room };
+        along.shortest(&barriers, &BTreeSet::new(), ends, stats, budget, observer)
+    }
+
     /// What the shortest way between two ends costs, millimetres; infinity where there is none.
     ///
     /// # Errors
@@ -210,12 +225,7 @@ impl PreparedScene {
         budget: &Budget,
         stats: &mut Stats,
     ) -> Result<f64, Interrupt> {
-        let Self { scene, terrain, sights, room, mesh, .. } = self;
-        let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
-        mesh.note_query(terrain, &barriers, budget);
-        let mut along = AlongSights { terrain, mesh: mesh.get(), sights, room };
-        let (found, _) = along.shortest(&barriers, &BTreeSet::new(), ends, stats, budget, &mut Silent);
-        let route = found?;
+        let route = self.route_between(ends, budget, stats, &mut Silent).0?;
         Ok(route.map_or(f64::INFINITY, |route| trace(&route, ends[0].point, ends[1].point).length()))
     }
 

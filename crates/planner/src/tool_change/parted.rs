@@ -2,9 +2,10 @@
 
 use crate::Stats;
 use crate::barriers::Barriers;
+use crate::prepared::LinksAtLast;
 use crate::search::End;
 use crate::separating::separating;
-use crate::shortest_route::{MeetingBarriers, ShortestRoute};
+use crate::shortest_route::ShortestRoute;
 use crate::standing::stand;
 use std::collections::BTreeSet;
 use traverse_geometry::Point;
@@ -59,7 +60,7 @@ fn between(
     if ends[0].point == ends[1].point {
         return Ok(Vec::new());
     }
-    let (found, _) = MeetingBarriers.shortest(barriers, left_out, ends, stats, budget, &mut Silent);
+    let (found, _) = LinksAtLast.shortest(barriers, left_out, ends, stats, budget, &mut Silent);
     if found?.is_some() {
         return Ok(Vec::new());
     }

@@ -19,10 +19,10 @@ use crate::feasible::most_feasible;
 use crate::level::{Levels, passed_over};
 use crate::lowered::with_clearance;
 use crate::measure::{AxisTime, Length, Measure};
+use crate::prepared::LinksAtLast;
 use crate::price::{at_rest, bound_of, of_search, straight, vertical};
 use crate::rapid_move::{Asked, plan_among};
 use crate::search::{End, Known, Search};
-use crate::shortest_route::MeetingBarriers;
 use crate::standing::stand;
 use crate::{Answer, FeasibleClearance, NoPath, RapidMove, RapidPlan, Refusal, Stats};
 use std::collections::BTreeSet;
@@ -370,7 +370,7 @@ impl<'a> Placing<'a> {
 
     fn planned(&self, query: &RapidMove, bound: f64, stats: &mut Stats) -> Result<RapidPlan, Vec<Refusal>> {
         let asked = Asked { barriers: self.barriers, query, is_last: true, budget: self.budget };
-        match plan_among(asked, &mut MeetingBarriers, stats, &mut Silent) {
+        match plan_among(asked, &mut LinksAtLast, stats, &mut Silent) {
             Ok(Answer::Plan(plan)) => Ok(plan),
             Ok(Answer::NoPath(_)) => {
                 debug_assert!(false, "a place that was reached is reached: {query:?}");
