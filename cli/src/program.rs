@@ -197,14 +197,17 @@ fn picture(
         link.heights.lowest().zip(scenes.safe_z_mm).is_some_and(|(lowest, safe)| lowest >= safe)
     };
     let shown = program.links.iter().zip(&rewritten.outcomes).filter(|(link, _)| !passes_over(link));
+    // Lengths count rises and sinks; dog-legs are run in the plane.
+    let run = |path: &Path| match rules.dog_leg() {
+        Some(_) => as_run(&path.in_plane(), rules),
+        None => path.clone(),
+    };
     let (before, after): (Vec<Path>, Vec<Path>) = shown
         .map(|(_, outcome)| {
-            let before = as_run(&outcome.before.in_plane(), rules);
+            let before = run(&outcome.before);
             match &outcome.done {
-                Done::Changed(path) if straight == StraightMotion::Rapid => {
-                    (before, as_run(&path.in_plane(), rules))
-                }
-                Done::Changed(path) => (before, path.in_plane()),
+                Done::Changed(path) if straight == StraightMotion::Rapid => (before, run(path)),
+                Done::Changed(path) => (before, path.clone()),
                 _ => (before.clone(), before),
             }
         })

@@ -600,10 +600,12 @@ fn an_empty_drawing_is_refused_and_no_file_is_written_before_a_refusal() {
 #[test]
 fn a_program_passes_over_what_is_low() {
     let folder = tempfile::tempdir().unwrap();
-    let nc = folder.path().join("out.ngc").display().to_string();
-    let more = ["--top", "20", "--clearance-z", "2", "-o", &nc];
+    let [nc, svg] = ["out.ngc", "out.svg"].map(|name| folder.path().join(name).display().to_string());
+    let more = ["--top", "20", "--clearance-z", "2", "-o", &nc, "-o", &svg];
     assert_ends(&rewrite("high-retracts.ngc", &more), 0, "4 of 4 rapid moves replaced");
     let text = std::fs::read_to_string(&nc).unwrap();
+    let picture = std::fs::read_to_string(&svg).unwrap();
+    assert!(picture.contains("370.82 mm, before 965.172 mm: 61.6 % shorter"), "rises count");
     assert!(text.contains("N80 G0 Z5\nN90 X385 Y200\n") && !text.contains("N240 G0 Z5\n"), "{text}");
     assert_ends(&rewrite("plate-and-vise.ngc", &["--clearance-z", "2"]), 3, "no top is known");
     assert_ends(
