@@ -1,5 +1,6 @@
 //! What a shortest path can bend round: a circle, of radius 0 for a control point, over a range of directions.
 
+use std::f64::consts::PI;
 use traverse_geometry::{Point, Vector, positive_angle, unit};
 
 /// A convex corner or arc of a barrier.
@@ -72,6 +73,16 @@ impl Feature {
     /// The outward direction at `offset`.
     pub(crate) fn direction_at(&self, offset: f64) -> Vector {
         unit(self.start_angle + offset)
+    }
+
+    /// The middle and radius of a disc that holds what a planned path passes.
+    pub(crate) fn disc(&self) -> (Point, f64) {
+        let far = 2.0 * (self.sweep / 4.0).sin();
+        if self.sweep < PI && far < 1.0 {
+            (self.plan_point(self.sweep / 2.0), far * self.plan_radius)
+        } else {
+            (self.center, self.plan_radius)
+        }
     }
 
     /// The point at `offset` that a planned path passes.

@@ -157,14 +157,18 @@ impl<'a> Obstruction<'a> {
     pub(crate) fn blocked_offsets(&self, feature: &Feature) -> impl Iterator<Item = (f64, f64, usize)> {
         let circle =
             Arc::from_angles(feature.center, feature.plan_radius, feature.start_angle, feature.sweep);
+        let bounds = circle.bounds().grown(QUICK_TEST_MARGIN_MM);
         let mut found = Vec::new();
-        let _ = self.grid.within(&circle.bounds(), |item| {
-            found.push(item);
+        let _ = self.grid.within(&bounds, |item| {
+            if self.runs[item as usize].bounds.meets(&bounds) {
+                found.push(item);
+            }
             ControlFlow::Continue(())
         });
-        let far = feature.plan_radius + QUICK_TEST_MARGIN_MM;
+        let (middle, reach) = feature.disc();
+        let far = reach + QUICK_TEST_MARGIN_MM;
         let may_block =
-            move |blocker: &Blocker| blocker.edge.distance_to_point(feature.center) <= far + blocker.limit;
+            move |blocker: &Blocker| blocker.edge.distance_to_point(middle) <= far + blocker.limit;
         self.each(found).filter(may_block).flat_map(|blocker| {
             blocked_by(feature, &blocker).into_iter().map(move |(from, to)| (from, to, blocker.owner))
         })

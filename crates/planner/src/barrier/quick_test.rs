@@ -21,12 +21,14 @@ impl QuickTest {
         Self { start: line.start, along, across: left_of(along), length }
     }
 
-    /// Whether a box lies beside the line.
+    /// Whether a box lies clear of the line.
     pub(super) fn passes_box(&self, bounds: &Bounds) -> bool {
         let center = bounds.center() - self.start;
         let half = bounds.size() / 2.0;
-        let reach = half.x * self.across.x.abs() + half.y * self.across.y.abs();
-        center.dot(&self.across).abs() > reach + QUICK_TEST_MARGIN_MM
+        let reach = |axis: &Vector| half.x * axis.x.abs() + half.y * axis.y.abs() + QUICK_TEST_MARGIN_MM;
+        let beyond_middle = center.dot(&self.along) - self.length / 2.0;
+        center.dot(&self.across).abs() > reach(&self.across)
+            || beyond_middle.abs() > reach(&self.along) + self.length / 2.0
     }
 
     /// Whether a straight blocker lies clear of the line.

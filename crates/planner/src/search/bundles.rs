@@ -1,16 +1,19 @@
 //! Features by bundles: what leaves out most of them at once when a stance looks for tangents.
 //!
-//! Neighbouring features of a barrier are bundled, bundles of neighbours too, and so on. A bundle's sector has the
-//! directions of all of its features and a circle round theirs, so a tangent to any of them passes its test as well.
+//! Neighbouring features of a barrier are bundled, bundles of neighbours too, and so on. A bundle has the directions of all of
+//! its features, and their centres lie near its axis: a point, or where a border runs along, a segment. So a tangent to any of
+//! them passes the bundle's test as well, and on a border that bends gently hardly more do.
 //!
 //! Cost: building is n log n; a stance tests a bundle where it may reach the one that it lies in, about log n for each
 //! tangent that comes of it.
 
 use super::Sector;
+use super::directions::Directions;
+use super::sector::slack;
 use crate::barrier::{Feature, Side};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
-use traverse_geometry::{Bounds, left_of, unit};
+use traverse_geometry::{Bounds, Segment};
 use traverse_solve::{Budget, Interrupt};
 
 /// Most features of a bundle that is not divided further.
@@ -19,7 +22,7 @@ const BUNDLED: usize = 8;
 /// The budget is looked at for each bundle of more features than this.
 const FEATURES_BETWEEN_CHECKS: usize = 2048;
 
-/// What a bundle's circle is larger by, as a share: above rounding and what sectors let pass.
+/// What a bundle reaches further by, as a share: above rounding and what sectors let pass.
 const SLACK_RATIO: f64 = 1e-6;
 
 /// Bundles of features, each followed by those that it is divided into.
@@ -27,7 +30,12 @@ const SLACK_RATIO: f64 = 1e-6;
 pub(crate) struct Bundles(Vec<Bundle>);
 
 struct Bundle {
-    sector: Sector,
+    /// Centres lie within `reach` of this.
+    axis: Segment,
+    reach: f64,
+    /// Least and greatest radius.
+    radii: [f64; 2],
+    directions: Directions,
     features: Range<u32>,
     /// The first bundle that does not lie in this one.
     next: u32,
@@ -56,9 +64,8 @@ impl Bundles {
             budget.check(0)?;
         }
         let at = self.0.len();
-        let sector = around(&features[range.clone()]);
         let numbers = range.start as u32..range.end as u32;
-        self.0.push(Bundle { sector, features: numbers, next: 0 });
+        self.0.push(Bundle::of(&features[range.clone()], numbers));
         if range.len() > BUNDLED {
             let middle = range.start.midpoint(range.end);
             self.push(features, range.start..middle, budget)?;
@@ -79,7 +86,7 @@ impl Bundles {
     ) -> Option<(Range<u32>, usize)> {
         while at < end {
             let bundle = &self.0[at];
-            if ahead.may_reach(side, &bundle.sector) == [None, None] {
+            if !bundle.may_be_reached(ahead, side) {
                 at = bundle.next as usize;
             } else if bundle.features.len() <= BUNDLED {
                 return Some((bundle.features.clone(), at + 1));
@@ -91,26 +98,75 @@ impl Bundles {
     }
 }
 
-/// A sector that has the directions of all features, and a circle round theirs.
-fn around(features: &[Feature]) -> Sector {
+impl Bundle {
+    /// Features with these numbers. What lies in it is not known yet.
+    fn of(features: &[Feature], numbers: Range<u32>) -> Self {
+        let directions = directions(features);
+        let (axis, reach) = axis(features, directions.near.is_finite());
+        let radius = |feature: &Feature| feature.plan_radius;
+        let least = features.iter().map(radius).fold(f64::INFINITY, f64::min);
+        let greatest = features.iter().map(radius).fold(0.0, f64::max);
+        let radii = [least * (1.0 - SLACK_RATIO), greatest * (1.0 + SLACK_RATIO)];
+        Self { axis, reach, radii, directions, features: numbers, next: 0 }
+    }
+
+    /// Whether a tangent that leaves `ahead` on `side` may touch one of the circles: as [`Sector::may_reach`], for centres and
+    /// radii that are not known better.
+    fn may_be_reached(&self, ahead: &Sector, side: Side) -> bool {
+        let ends = [self.axis.start, self.axis.end].map(|end| end - ahead.center);
+        let slack = self.reach + slack(ends[0]).max(slack(ends[1]));
+        let admits = |other_side: Side, across: f64, slack: f64| {
+            ahead.directions.admits(side, &ends, across, slack)
+                && self.directions.admits(other_side, &ends, across, slack)
+        };
+        let either_side = slack + ahead.radius + self.radii[1];
+        let near = ahead.directions.near.max(self.directions.near);
+        if near.is_infinite() {
+            let by_bundle = |other_side| self.directions.admits(other_side, &ends, 0.0, either_side);
+            return ahead.directions.admits(side, &ends, 0.0, either_side)
+                && (by_bundle(Side::Left) || by_bundle(Side::Right));
+        }
+        let nearest = self.axis.distance_to_point(ahead.center) - self.reach;
+        [Side::Left, Side::Right].into_iter().any(|other_side| {
+            let across = self.radii.map(|radius| radius * other_side.sign() - ahead.radius * side.sign());
+            if nearest < near * across[0].abs().max(across[1].abs()) {
+                return admits(other_side, 0.0, either_side);
+            }
+            admits(other_side, across[0].midpoint(across[1]), slack + (across[1] - across[0]).abs())
+        })
+    }
+}
+
+/// A point near which all centres lie, or where that is nearer a chord of a border that bends `gently`, and how near,
+/// millimetres.
+fn axis(features: &[Feature], gently: bool) -> (Segment, f64) {
+    let reach = |axis: &Segment| {
+        let far = features.iter().map(|feature| axis.distance_to_point(feature.center));
+        far.fold(0.0, f64::max) * (1.0 + SLACK_RATIO)
+    };
     let middle = Bounds::of(features.iter().map(|feature| feature.center)).center();
-    let reach = |feature: &Feature| (feature.center - middle).norm() + feature.plan_radius;
-    let radius = features.iter().map(reach).fold(0.0, f64::max) * (1.0 + SLACK_RATIO);
+    let point = Segment::new(middle, middle);
+    let of_point = reach(&point);
+    let [first, .., last] = features else { return (point, of_point) };
+    let chord = Segment::new(first.center, last.center);
+    let of_chord = if gently { reach(&chord) } else { f64::INFINITY };
+    if of_chord < of_point { (chord, of_chord) } else { (point, of_point) }
+}
+
+/// The directions of all features.
+fn directions(features: &[Feature]) -> Directions {
     let mut range: Option<(f64, f64)> = None;
     for feature in features {
         let (low, high) = range.unwrap_or((feature.start_angle, feature.start_angle));
         let turn = (feature.start_angle - low + PI).rem_euclid(TAU) - PI;
         let from = low + turn;
-        range = Some((low.min(from), high.max(from + feature.sweep)));
-        if range.is_some_and(|(low, high)| high - low > PI - 1e-3) {
-            range = None;
-            break;
+        let (low, high) = (low.min(from), high.max(from + feature.sweep));
+        if high - low > PI - 1e-3 {
+            return Directions::ALL;
         }
+        range = Some((low, high));
     }
-    match range {
-        Some((low, high)) => Sector::between(middle, radius, left_of(unit(low)), left_of(unit(high))),
-        None => Sector::wide(middle, radius),
-    }
+    range.map_or(Directions::ALL, |(low, high)| Directions::touching(low, high))
 }
 
 #[cfg(test)]
@@ -118,7 +174,7 @@ mod tests {
     use super::*;
     use crate::barrier::OrientedRing;
     use rand::RngExt;
-    use traverse_geometry::{Point, Ring};
+    use traverse_geometry::{Point, Ring, unit};
     use traverse_solve::{Budget, Seed};
 
     /// Every feature that a stance may reach lies in a bundle that it may reach, and is shown once.
@@ -130,15 +186,20 @@ mod tests {
             let mut features = Vec::new();
             let mut bundles = Bundles::default();
             for owner in 0..6 {
-                let corners = random.random_range(3..60);
+                // The last one is long and bends gently.
+                let is_long = owner == 5;
+                let corners =
+                    if is_long { random.random_range(100..250) } else { random.random_range(3..60) };
                 let middle = Point::new(random.random_range(0.0..90.0), random.random_range(0.0..90.0));
                 let step = TAU / f64::from(corners);
                 let mut draw = |low: f64, high: f64| random.random_range(low..high);
                 let at = |i: i32, aside: f64, far: f64| middle + unit(step * (f64::from(i) + aside)) * far;
-                let points = (0..corners).map(|i| at(i, draw(0.1, 0.9), draw(6.0, 15.0))).collect();
+                let points = (0..corners)
+                    .map(|i| if is_long { at(i, 0.5, 30.0) } else { at(i, draw(0.1, 0.9), draw(6.0, 15.0)) });
+                let points = points.collect();
                 let ring = Ring::new(points, vec![]).expect("stars don't cross themselves");
                 let style = traverse_geometry::CornerStyle::Round;
-                let asked = [0.0, 2.0][owner % 2];
+                let asked = [0.0, 2.0][(owner + seed as usize) % 2];
                 let clearance = crate::barrier::Clearance { asked, style };
                 let first = features.len();
                 let outline =

@@ -10,6 +10,7 @@ mod best;
 mod bundles;
 mod circles;
 mod departure;
+mod directions;
 mod end;
 mod fan;
 mod ground;

@@ -2,9 +2,9 @@
 //! root or angle is worked out. It errs on the side of letting them pass; the tangent itself decides.
 
 use super::departure::Departure;
+use super::directions::Directions;
 use crate::barrier::{Feature, Side};
-use std::f64::consts::{FRAC_PI_2, PI};
-use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector, cross, left_of};
+use traverse_geometry::{CONTACT_TOLERANCE_MM, Point, Vector};
 
 /// What a direction may be off, as a share of the way: above the tolerance of offsets.
 const SLACK_RATIO: f64 = 1e-8;
@@ -12,18 +12,12 @@ const SLACK_RATIO: f64 = 1e-8;
 /// The same for ways of no length, millimetres: above the rounding of coordinates.
 const SLACK_MM: f64 = 1e-8;
 
-/// The directions of travel along one side of a circle, over a range of it. With the circle on the left they turn
-/// counter-clockwise from `first` to `last`; with the circle on the right the opposite ones do, the other way.
+/// The directions of travel along one side of a circle, over a range of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sector {
-    center: Point,
-    radius: f64,
-    first: Vector,
-    last: Vector,
-    /// More than half a turn: every direction passes.
-    wide: bool,
-    /// One circle over at most a quarter of a turn: which side of a way it lies on counts.
-    narrow: bool,
+    pub(super) center: Point,
+    pub(super) radius: f64,
+    pub(super) directions: Directions,
 }
 
 impl Sector {
@@ -34,17 +28,7 @@ impl Sector {
 
     /// Every direction from a point.
     pub(crate) fn all_round(center: Point) -> Self {
-        Self { center, radius: 0.0, first: Vector::zeros(), last: Vector::zeros(), wide: true, narrow: false }
-    }
-
-    /// Directions from `first` counter-clockwise to `last`, less than half a turn, along a circle.
-    pub(super) fn between(center: Point, radius: f64, first: Vector, last: Vector) -> Self {
-        Self { center, radius, first, last, wide: false, narrow: false }
-    }
-
-    /// Every direction along a circle.
-    pub(super) fn wide(center: Point, radius: f64) -> Self {
-        Self { radius, ..Self::all_round(center) }
+        Self { center, radius: 0.0, directions: Directions::ALL }
     }
 
     /// What is left of a feature's range for a departure.
@@ -57,40 +41,34 @@ impl Sector {
 
     /// A part of a feature's range.
     pub(crate) fn over(feature: &Feature, from: f64, to: f64) -> Self {
-        Self {
-            center: feature.center,
-            radius: feature.plan_radius,
-            first: left_of(feature.direction_at(from)),
-            last: left_of(feature.direction_at(to)),
-            wide: to - from > PI - 1e-6,
-            narrow: to - from <= FRAC_PI_2,
-        }
+        let ends = [from, to].map(|offset| feature.direction_at(offset));
+        let directions = Directions::between(ends, to - from);
+        Self { center: feature.center, radius: feature.plan_radius, directions }
     }
 
     /// On which sides a tangent that leaves this sector's circle on `side` may touch the circle of `other`: left, right.
     ///
     /// With signed radii (positive on the left) the centres lie `across` = ρ2 − ρ1 to the left of a tangent's direction
     /// from each other. So the tangent turns to the left of a direction if the other centre lies further left of that
-    /// than `across`: exact while it turns from the line of centres by at most a third of a right angle and ranges are
-    /// narrow. Otherwise either side is allowed for.
+    /// than `across`: exact while the centres are not too near for the ranges. Otherwise either side is allowed for.
     pub(crate) fn may_reach(&self, side: Side, other: &Self) -> [Option<Side>; 2] {
         let between = other.center - self.center;
-        let slack = SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs());
-        let is_sharp = self.narrow && other.narrow;
+        let slack = slack(between);
+        let near = self.directions.near.max(other.directions.near);
         let square = between.norm_squared();
         [Side::Left, Side::Right].map(|other_side| {
             let across = other.radius * other_side.sign() - self.radius * side.sign();
-            let is_near = square < 4.0 * across * across;
-            if is_sharp && is_near && across.abs() - 2.0 * CONTACT_TOLERANCE_MM > square.sqrt() {
+            let is_near = square < near * near * across * across;
+            if near.is_finite() && is_near && across.abs() - 2.0 * CONTACT_TOLERANCE_MM > square.sqrt() {
                 return None;
             }
-            let (across, slack) = if is_sharp && !is_near {
+            let (across, slack) = if near.is_finite() && !is_near {
                 (across, slack)
             } else {
                 (0.0, slack + self.radius + other.radius)
             };
-            let may =
-                self.admits(side, between, across, slack) && other.admits(other_side, between, across, slack);
+            let may = self.directions.admits(side, &[between], across, slack)
+                && other.directions.admits(other_side, &[between], across, slack);
             may.then_some(other_side)
         })
     }
@@ -98,20 +76,13 @@ impl Sector {
     /// Whether a tangent that leaves the circle on `side` may lead to a place within `slack` of `to`.
     pub(crate) fn may_lead_to(&self, side: Side, to: Point, slack: f64) -> bool {
         let between = to - self.center;
-        let slack = slack + SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs());
-        self.admits(side, between, 0.0, slack)
+        self.directions.admits(side, &[between], 0.0, slack + self::slack(between))
     }
+}
 
-    /// Whether a way with the centre of one circle `across` to the left of its direction from the other's, which lies
-    /// along `between`, runs along the circle on `side` within the range.
-    fn admits(&self, side: Side, between: Vector, across: f64, slack: f64) -> bool {
-        let (after_first, before_last) = (cross(self.first, between), cross(between, self.last));
-        self.wide
-            || match side {
-                Side::Left => after_first >= across - slack && before_last >= -across - slack,
-                Side::Right => after_first <= -across + slack && before_last <= across + slack,
-            }
-    }
+/// What the way between centres may be off.
+pub(super) fn slack(between: Vector) -> f64 {
+    SLACK_MM + SLACK_RATIO * (between.x.abs() + between.y.abs())
 }
 
 #[cfg(test)]
