@@ -13,7 +13,7 @@ use traverse_solve::{Budget, Interrupt};
 const OWNERS_BETWEEN_CHECKS: usize = 32;
 
 /// The least step, as a share of the mean distance of corners.
-const STEP_RATIO: f64 = 0.25;
+const STEP_RATIO: f64 = 0.05;
 
 /// How far the mesh reaches beyond the scene: this share of its size, and as many millimetres.
 const MARGIN_RATIO: f64 = 0.25;
