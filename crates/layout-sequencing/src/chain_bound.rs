@@ -1,14 +1,13 @@
 //! The bound of a chain through some sections: any two sections stand at least their own offset apart, whatever stands
 //! between them, so a layout is no shorter than the shortest path through any of its sections, in any order.
 //!
-//! Leaving out sections that leave heights uncovered can raise the bound: those around them meet. Where sections slide
-//! freely offsets count as they are, below 0 too, and the sections that reach one height make a chain that is at least
-//! as long as their thicknesses. Which sections to leave out is tried greedily, each trial a path proven by tours.
+//! Leaving out sections that leave heights uncovered can raise the bound: those around them meet. The sections that reach
+//! one height make a chain that is at least as long as their thicknesses. Where sections slide freely offsets count as
+//! they are, below 0 too. Which sections to leave out is tried greedily, each trial a path proven by tours.
 
 use crate::height_bound::{heights, least_thickness};
 use crate::instance::Instance;
 use crate::progress::Progress;
-use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt, Seed, Silent};
 use traverse_tours::{CostMatrix, Ending, LARGEST_COST, Shape, SolveOptions, TourSpecification, solve};
 
@@ -47,12 +46,9 @@ fn improve(
 ) -> Result<(), Interrupt> {
     let kinds = instance.kinds.len();
     best.1 = length(instance, &best.0, seed, progress, budget)?;
-    if instance.rule == SlideRule::Free {
-        for y in heights(instance, HEIGHTS) {
-            let reach: Vec<bool> =
-                (0..kinds).map(|kind| least_thickness(instance, kind, y).is_some()).collect();
-            try_members(instance, reach, seed, best, progress, budget)?;
-        }
+    for y in heights(instance, HEIGHTS) {
+        let reach: Vec<bool> = (0..kinds).map(|kind| least_thickness(instance, kind, y).is_some()).collect();
+        try_members(instance, reach, seed, best, progress, budget)?;
     }
     let mut better = true;
     while better {

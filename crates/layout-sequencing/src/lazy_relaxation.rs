@@ -90,7 +90,7 @@ pub(crate) fn relax_lazily(
     let mut relaxed = Relaxed { order: answer.cost.map(|_| order), ..Relaxed::default() };
     if instance.rule == SlideRule::KeepOrder && answer.lower_bound.is_some() {
         let certificate = duals_of_kinds(instance, &costs.kind_of, &answer);
-        relaxed.certified = proven_by(instance, &certificate) + widths;
+        relaxed.certified = proven_by(instance, &certificate).saturating_add(widths);
         relaxed.certificate = BoundCertificate::Joins(duals_of_sections(instance, &certificate));
         progress.raise_bound(relaxed.certified);
     }
@@ -122,5 +122,10 @@ fn duals_of_kinds(instance: &Instance, kind_of: &[usize], answer: &LazyAnswer) -
 fn proven_by(instance: &Instance, certificate: &Certificate) -> i64 {
     let quantity = |node: usize| if node < instance.kinds.len() { instance.quantity(node) as i64 } else { 1 };
     let duals = certificate.row.iter().zip(&certificate.column);
-    duals.enumerate().map(|(node, (row, column))| quantity(node) * (row + column)).sum()
+    let paid = |(node, (&row, &column)): (usize, (&i64, &i64))| {
+        i128::from(quantity(node)) * (i128::from(row) + i128::from(column))
+    };
+    let proven: i128 = duals.enumerate().map(paid).sum();
+    // Below whatever a layout can come to, it is nothing anyway.
+    proven.clamp(i128::from(i64::MIN / 2), i128::from(i64::MAX / 2)) as i64
 }

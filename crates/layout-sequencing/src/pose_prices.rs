@@ -13,7 +13,7 @@ use crate::relaxation::sum_of_widths;
 use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt, Seed, Silent};
 use traverse_tours::{
-    Assignment, CostMatrix, Costs, FORBIDDEN, Matched, SolveOptions, TourSpecification, Work, solve,
+    Assignment, CostMatrix, Costs, Ending, FORBIDDEN, Matched, SolveOptions, TourSpecification, Work, solve,
 };
 
 /// The most copies for which prices are sought.
@@ -59,7 +59,10 @@ pub(crate) fn order_at_prices(
     };
     let Ok(answer) = solve(&specification, &options, &limited, &mut Silent) else { return Ok(None) };
     progress.add_iterations(answer.iterations);
-    progress.raise_bound(answer.lower_bound + widths);
+    if answer.ending == Ending::ProvenInfeasible {
+        return Ok(None);
+    }
+    progress.raise_bound(answer.lower_bound.saturating_add(widths));
     let Some(tour) = answer.tour else { return Ok(None) };
     let ends = instance.kinds.len();
     let begin = tour.visits.iter().position(|&node| node == ends).unwrap_or(0);

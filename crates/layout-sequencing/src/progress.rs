@@ -46,10 +46,10 @@ impl<'a> Progress<'a> {
         }
     }
 
-    /// No layout is shorter than this.
+    /// No layout is shorter than this. That there is none is an ending and no bound.
     pub(crate) fn raise_bound(&mut self, bound: i64) {
         let bound = bound.min(self.upper());
-        if bound > self.bound {
+        if bound > self.bound && bound < i64::MAX {
             self.bound = bound;
             self.observer.better_bound(self.instance.grid.mm(bound));
         }
@@ -72,7 +72,7 @@ impl<'a> Progress<'a> {
 
     /// Whether length and bound have met.
     pub(crate) fn is_proven(&self) -> bool {
-        self.is_reached_by(self.bound)
+        self.best.is_some() && self.is_reached_by(self.bound)
     }
 
     /// Whether length and bound have met, or come as near as was asked for.
@@ -103,6 +103,7 @@ impl Observer for BoundsOnly<'_, '_> {
     fn better_cost(&mut self, _cost: f64) {}
 
     fn better_bound(&mut self, lower_bound: f64) {
-        self.progress.raise_bound(lower_bound as i64 + self.plus);
+        // Whole numbers of tours are exact as such.
+        self.progress.raise_bound((lower_bound as i64).saturating_add(self.plus));
     }
 }

@@ -90,7 +90,7 @@ pub(crate) fn relax(
         ..Relaxed::default()
     };
     if instance.rule == SlideRule::KeepOrder && !relaxed.infeasible {
-        progress.raise_bound(answer.lower_bound + widths);
+        progress.raise_bound(answer.lower_bound.saturating_add(widths));
         certify(instance, specification, &options, answer, &mut relaxed, whole);
     }
     Ok(relaxed)
@@ -123,28 +123,32 @@ fn certify(
     };
     let plain = TourSpecification { precedence: vec![], ..specification };
     if let Ok(Ok(proven)) = verify_certificate_within(&plain, &answer.certificate, budget) {
-        relaxed.certified = proven + sum_of_widths(instance);
+        relaxed.certified = proven.saturating_add(sum_of_widths(instance));
         relaxed.certificate = BoundCertificate::Joins(duals_of_sections(instance, &answer.certificate));
     }
 }
 
 pub(crate) fn duals_of_sections(instance: &Instance, certificate: &Certificate) -> JoinDuals {
     let kinds = instance.kinds.len();
-    let mm = |parts: i64| instance.grid.mm(1) * (parts as f64 / certificate.parts as f64);
+    // Duals and widths in parts may exceed a machine word together.
+    let mm = |parts: i128| instance.grid.mm(1) * (parts as f64 / certificate.parts as f64);
+    let dual = |parts: i64| mm(i128::from(parts));
     // Costs of kinds leave the width of the left one out.
     let width = |kind: usize| {
-        instance.items[instance.kinds[kind].items.start].width.saturating_mul(certificate.parts)
+        let width = instance.items[instance.kinds[kind].items.start].width;
+        i128::from(width) * i128::from(certificate.parts)
     };
     let sections = || (0..instance.sections()).map(|section| instance.kind_of(section));
     let last = kinds;
-    let mut row_mm: Vec<f64> = sections().map(|kind| mm(certificate.row[kind] + width(kind))).collect();
-    let mut column_mm: Vec<f64> = sections().map(|kind| mm(certificate.column[kind])).collect();
-    row_mm.push(mm(certificate.row[last]));
-    column_mm.push(mm(certificate.column[last]));
+    let mut row_mm: Vec<f64> =
+        sections().map(|kind| mm(i128::from(certificate.row[kind]) + width(kind))).collect();
+    let mut column_mm: Vec<f64> = sections().map(|kind| dual(certificate.column[kind])).collect();
+    row_mm.push(dual(certificate.row[last]));
+    column_mm.push(dual(certificate.column[last]));
     let of_kinds = |set: &Vec<usize>| -> Vec<usize> {
         let own = sections().enumerate().filter(|(_, kind)| set.contains(kind)).map(|(section, _)| section);
         own.chain(set.contains(&last).then(|| instance.sections())).collect()
     };
-    let sets = certificate.sets.iter().map(|(set, weight)| (of_kinds(set), mm(*weight))).collect();
+    let sets = certificate.sets.iter().map(|(set, weight)| (of_kinds(set), dual(*weight))).collect();
     JoinDuals { row_mm, column_mm, sets }
 }

@@ -25,6 +25,12 @@ pub struct Assignment {
     pub column: Vec<i64>,
 }
 
+/// The sum of duals: that of thousands may leave a machine word on the way, though it ends within one.
+pub(crate) fn sum_of<'a>(duals: impl Iterator<Item = &'a i64>) -> i64 {
+    let sum: i128 = duals.map(|&dual| i128::from(dual)).sum();
+    sum.clamp(i128::from(i64::MIN), i128::from(i64::MAX - 1)) as i64
+}
+
 /// Whether every node found a successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Matched {
@@ -55,7 +61,7 @@ impl Assignment {
     /// The sum of the duals: no assignment costs less.
     #[must_use]
     pub fn bound(&self) -> i64 {
-        self.row.iter().sum::<i64>() + self.column.iter().sum::<i64>()
+        sum_of(self.row.iter().chain(&self.column))
     }
 
     /// Duals from column and row minima, and what they let match at once.

@@ -35,8 +35,35 @@ impl Certificate {
         (Self { parts: 1, row, column: vec![0; counts.len()], sets: vec![] }, bound)
     }
 
+    /// From whole duals of types, without sets, to those of the nodes that they stand for, with the bound: in parts of a
+    /// unit where these fit, which those of hundreds of nodes at the largest costs may not.
+    pub(crate) fn of_assignment(
+        nodes: usize,
+        counts: &[u32],
+        members: &[Vec<usize>],
+        row: &[i64],
+        column: &[i64],
+    ) -> (Self, i64) {
+        let fit = row.iter().chain(column).all(|dual| dual.checked_mul(PARTS).is_some());
+        let parts = if fit { PARTS } else { 1 };
+        let scaled = |duals: &[i64]| duals.iter().map(|dual| dual * parts).collect();
+        let duals = Duals { row: scaled(row), column: scaled(column), cuts: vec![] };
+        Self::in_parts(parts, nodes, counts, members, &duals, &[])
+    }
+
     /// From duals of types to duals of the nodes that they stand for, with the bound.
     pub(crate) fn expanded(
+        nodes: usize,
+        counts: &[u32],
+        members: &[Vec<usize>],
+        duals: &Duals,
+        cuts: &[Crossing],
+    ) -> (Self, i64) {
+        Self::in_parts(PARTS, nodes, counts, members, duals, cuts)
+    }
+
+    fn in_parts(
+        parts: i64,
         nodes: usize,
         counts: &[u32],
         members: &[Vec<usize>],
@@ -60,8 +87,7 @@ impl Certificate {
         for node in 0..nodes {
             total += i128::from(counts[node]) * (i128::from(row[node]) + i128::from(column[node]));
         }
-        let certificate = Self { parts: PARTS, row, column, sets };
-        (certificate, rounded_up(total, PARTS))
+        (Self { parts, row, column, sets }, rounded_up(total, parts))
     }
 }
 

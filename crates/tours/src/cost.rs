@@ -13,7 +13,8 @@ pub const LARGEST_COST: i64 = 100_000_000_000;
 /// The most visits of one tour.
 pub const LARGEST_VISITS: usize = 20_000;
 
-/// Where costs come from: a matrix, or a function that computes an entry when it is asked for.
+/// Where costs come from: a matrix, or a function that computes an entry when it is asked for. Costs are
+/// [`FORBIDDEN`] or within ±[`LARGEST_COST`], nodes at most [`LARGEST_VISITS`]; a [`crate::CostMatrix`] sees to it.
 pub trait Costs: Sync {
     /// How many nodes there are.
     fn size(&self) -> usize;

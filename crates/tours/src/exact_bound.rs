@@ -26,6 +26,14 @@ pub(crate) struct Duals {
     pub(crate) cuts: Vec<(usize, i64)>,
 }
 
+impl Duals {
+    /// From duals in whole units, cut off where they don't fit: [`ExactBound`] counts what is asked too much.
+    pub(crate) fn of_whole(row: &[i64], column: &[i64]) -> Self {
+        let scaled = |duals: &[i64]| duals.iter().map(|dual| dual.saturating_mul(PARTS)).collect();
+        Self { row: scaled(row), column: scaled(column), cuts: vec![] }
+    }
+}
+
 /// A bound in parts of a cost unit, and every arc's reduced cost in them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ExactBound {

@@ -17,7 +17,6 @@ use crate::branch_and_cut::{BranchAndCut, Closed, LARGEST_SIZE, RootDuals};
 use crate::certificate::Certificate;
 use crate::closure::Closure;
 use crate::count_program::{CountProgram, Walk};
-use crate::exact_bound::{Duals, PARTS};
 use crate::guided_search::GuidedSearch;
 use crate::network::Network;
 use crate::options::SolveOptions;
@@ -62,10 +61,16 @@ pub(crate) fn climb(
     };
     let visits = Visits::of(network);
     progress.offer(network, &visits.type_of);
-    let mut climb = Climb { network, visits: &visits, options, roots: vec![] };
+    let mut climb = Climb { network, visits: &visits, options, assignment: None, root: None };
     let ending = climb.run(&mut progress, &mut work).unwrap_or_else(Ending::Interrupted);
-    for (duals, cuts) in climb.roots {
-        let proven = Certificate::expanded(full.size, &full.counts, &members, &duals, &cuts);
+    let of_assignment = climb
+        .assignment
+        .map(|(row, column)| Certificate::of_assignment(full.size, &full.counts, &members, &row, &column));
+    let of_root = climb
+        .root
+        .map(|(duals, cuts)| Certificate::expanded(full.size, &full.counts, &members, &duals, &cuts));
+    // Which proves more without the root's order is seen here.
+    for proven in [of_assignment, of_root].into_iter().flatten() {
         if proven.1 > certificate.1 {
             certificate = proven;
         }
@@ -88,8 +93,10 @@ struct Climb<'a> {
     network: &'a Network,
     visits: &'a Visits<'a>,
     options: &'a SolveOptions,
-    /// Duals of the assignment and of branch and cut's root; which prove more without their order is seen at the end.
-    roots: Vec<RootDuals>,
+    /// Whole duals of the assignment, of rows and columns.
+    assignment: Option<(Vec<i64>, Vec<i64>)>,
+    /// Duals of branch and cut's root.
+    root: Option<RootDuals>,
 }
 
 impl Climb<'_> {
@@ -101,8 +108,7 @@ impl Climb<'_> {
         }
         progress.raise_bound(assignment.bound());
         let (row, column) = (visits.type_duals(&assignment.row), visits.type_duals(&assignment.column));
-        let scaled = |duals: &[i64]| duals.iter().map(|dual| dual.saturating_mul(PARTS)).collect();
-        self.roots.push((Duals { row: scaled(&row), column: scaled(&column), cuts: vec![] }, vec![]));
+        self.assignment = Some((row.clone(), column.clone()));
         if let Some(ending) = self.small_table(progress, work)? {
             return Ok(ending);
         }
@@ -179,7 +185,7 @@ impl Climb<'_> {
     ) -> Result<Ending, Interrupt> {
         let mut tree = BranchAndCut::new(self.network, duals.0, duals.1, progress);
         let done = tree.root(progress, work);
-        self.roots.push(tree.root_duals());
+        self.root = tree.root_duals();
         done?;
         if let Some(local) = local.as_deref_mut() {
             local.improve(GUIDED_KICKS, first, progress, work)?;

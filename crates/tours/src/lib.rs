@@ -36,6 +36,8 @@ mod count_program;
 mod cuts;
 mod euler;
 mod exact_bound;
+#[cfg(test)]
+mod extreme_tests;
 mod finding;
 mod guided_search;
 mod ladder;

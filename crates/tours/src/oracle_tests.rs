@@ -25,7 +25,8 @@ fn random_specification(chance: &mut Xoshiro256PlusPlus) -> TourSpecification {
     let size = chance.random_range(1..=7);
     let forbidden = [0.0, 0.0, 0.15, 0.4][chance.random_range(0..4)];
     let all = -LARGEST_COST..=LARGEST_COST;
-    let costs = [0..=1, -9..=9, 0..=100, all][chance.random_range(0..4)].clone();
+    let (least, most) = (-LARGEST_COST..=3 - LARGEST_COST, LARGEST_COST - 3..=LARGEST_COST);
+    let costs = [0..=1, -9..=9, 0..=100, all, least, most][chance.random_range(0..6)].clone();
     let mut matrix = random_matrix(size, costs, forbidden, chance);
     if size > 2 && chance.random_bool(0.4) {
         matrix = with_an_equal_node(&matrix, chance.random_range(0..size - 1));
@@ -191,7 +192,7 @@ fn branch_and_cut_is_exact_from_any_feasible_duals() {
             assert_eq!(cost_of(specification, &network.visits_of(walk, specification)), Some(cost));
             assert_eq!(progress.bound(), cost);
         }
-        let (duals, cuts) = tree.root_duals();
+        let (duals, cuts) = tree.root_duals().expect("few nodes: duals fit");
         let every: Vec<Vec<usize>> = (0..network.size).map(|node| vec![node]).collect();
         let (_, bound) = Certificate::expanded(network.size, &network.counts, &every, &duals, &cuts);
         assert!(optimum.is_none_or(|optimum| bound <= optimum), "{bound} {optimum:?} {specification:?}");

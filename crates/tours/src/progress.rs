@@ -95,10 +95,10 @@ impl<'a> Progress<'a> {
         }
     }
 
-    /// No tour costs less than this.
+    /// No tour costs less than this. That there is none is an ending and no bound: sums with it would not be exact.
     pub(crate) fn raise_bound(&mut self, bound: i64) {
         let bound = bound.min(self.upper());
-        if bound > self.bound {
+        if bound > self.bound && bound < i64::MAX {
             self.bound = bound;
             self.observer.better_bound(bound as f64);
         }

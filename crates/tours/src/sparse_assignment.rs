@@ -2,6 +2,7 @@
 //! arcs of each row; then a look at every pair finds the arcs that were missed, and their rows are matched anew
 //! (Volgenant 1996). Every look, O(n²), gives a bound; the last, when nothing was missed, the assignment's.
 
+use crate::assignment::sum_of;
 use crate::cheapest_arcs::cheapest_arcs;
 use crate::cost::{Costs, FORBIDDEN};
 use crate::work::Work;
@@ -204,9 +205,9 @@ impl SparseAssignment {
                     self.predecessor[to] = FREE;
                 }
             }
-            look.bound += self.row[from] + self.column[from];
             look.cheapest.push(row.iter().map(|&(_, to)| to).collect());
         }
+        look.bound = sum_of(self.row.iter().chain(&self.column));
         Ok(look)
     }
 

@@ -60,7 +60,7 @@ impl<'a> BranchAndCut<'a> {
     }
 
     /// The duals that the root has come to.
-    pub(crate) fn root_duals(&self) -> RootDuals {
+    pub(crate) fn root_duals(&self) -> Option<RootDuals> {
         self.relaxation.root_duals()
     }
 
@@ -120,7 +120,7 @@ impl<'a> BranchAndCut<'a> {
             return Err(Interrupt::Memory);
         }
         if self.closed == Closed::Yes {
-            let bound = self.tree.bound().map_or(progress.upper(), |parts| parts);
+            let bound = self.tree.bound().unwrap_or(progress.upper());
             progress.raise_bound(bound);
         }
         Ok(())

@@ -9,6 +9,9 @@ use crate::progress::Progress;
 /// Arcs out of each node, and into each, that have a column from the start.
 const FIRST_COLUMNS: usize = 8;
 
+/// Steps along a ray, each ten times the one before: the last reaches from the least sum of costs to the largest.
+const RAY_STEPS: u32 = 15;
+
 /// Whether an infeasible program stays so with all arcs.
 pub(super) enum Refuted {
     Yes,
@@ -100,14 +103,22 @@ impl Relaxation<'_> {
         !missing.is_empty()
     }
 
+    /// What no tour costs: more than the dearest arc out of every node.
+    fn more_than_any_tour(&self) -> i64 {
+        let mut dearest = vec![i64::MIN; self.size];
+        for (arc, &cost) in self.arcs.iter().zip(&self.costs) {
+            dearest[arc.from] = dearest[arc.from].max(cost);
+        }
+        let out = dearest.iter().zip(self.counts).map(|(&cost, &count)| i128::from(cost) * i128::from(count));
+        out.sum::<i128>().clamp(i128::from(i64::MIN), i128::from(i64::MAX / 4)) as i64 + 1
+    }
+
     /// Whether an infeasible program is so with all arcs, by whole numbers.
     pub(super) fn refute(&mut self, ray: &[f64], upper: i64) -> Refuted {
         let duals = self.simplex.duals();
-        let largest = self.costs.iter().map(|cost| cost.unsigned_abs()).max().unwrap_or(1) as f64;
-        let visits: f64 = self.counts.iter().map(|&count| f64::from(count)).sum();
-        let goal = if upper == i64::MAX { (largest * visits) as i64 + 1 } else { upper };
+        let goal = if upper == i64::MAX { self.more_than_any_tour() } else { upper };
         let mut step = 1.0;
-        for _ in 0..12 {
+        for _ in 0..RAY_STEPS {
             let moved: Vec<f64> = duals.iter().zip(ray).map(|(dual, ray)| dual + step * ray).collect();
             let exact = self.exact_duals(&moved);
             let bound = ExactBound::of(self.counts, &self.arcs, &self.cuts, &exact);

@@ -80,7 +80,7 @@ impl<'a> Relaxation<'a> {
         let unit = (largest as f64 / 1e4).max(1.0);
         let mut chance = Seed(0).stream();
         // All perturbations of a tour together stay below the step from one whole cost to the next.
-        let spread = 0.02 / size as f64;
+        let spread = 0.02 / network.visits() as f64;
         let perturbation = arcs.iter().map(|_| chance.random_range(0.0..spread)).collect();
         let counts: Vec<f64> = network.counts.iter().map(|&count| f64::from(count)).collect();
         let mut relaxation = Self {
@@ -99,16 +99,12 @@ impl<'a> Relaxation<'a> {
             costs: arcs.iter().map(|arc| arc.cost).collect(),
             arcs,
         };
-        let duals = Duals {
-            row: row.iter().map(|dual| dual.saturating_mul(PARTS)).collect(),
-            column: column.iter().map(|dual| dual.saturating_mul(PARTS)).collect(),
-            cuts: vec![],
-        };
+        let duals = Duals::of_whole(row, column);
         let bound = ExactBound::of(relaxation.counts, &relaxation.arcs, &[], &duals);
         progress.raise_bound(bound.cost());
         relaxation.fix_arcs(&bound, progress.upper());
         relaxation.first_columns(&bound, progress);
-        relaxation.root = Some((duals, vec![]));
+        relaxation.keep_root(&bound, &duals);
         relaxation
     }
 
@@ -203,25 +199,26 @@ impl<'a> Relaxation<'a> {
     /// A hundredth of what is still open, the yardstick of progress.
     fn distance(&self, parts: i128, progress: &mut Progress<'_>) -> f64 {
         let upper = progress.upper();
-        if upper == i64::MAX { 0.0 } else { (upper - cost_of(parts)).max(0) as f64 * 0.01 }
+        if upper == i64::MAX { 0.0 } else { upper.saturating_sub(cost_of(parts)).max(0) as f64 * 0.01 }
     }
 
     fn keep_root(&mut self, bound: &ExactBound, duals: &Duals) {
         // The certificate has no bounds on arcs: whatever prices out below zero is taken off the columns' duals.
-        let mut safe = duals.clone();
+        let mut column: Vec<i128> = duals.column.iter().map(|&dual| i128::from(dual)).collect();
         for (arc, &reduced) in self.arcs.iter().zip(&bound.reduced) {
-            let low = i64::try_from(reduced).unwrap_or(i64::MIN);
-            let owed = duals.column[arc.to].saturating_add(low);
-            if low < 0 {
-                safe.column[arc.to] = safe.column[arc.to].min(owed);
+            if reduced < 0 {
+                column[arc.to] = column[arc.to].min(i128::from(duals.column[arc.to]) + reduced);
             }
         }
-        self.root = Some((safe, self.cuts.clone()));
+        // What does not fit is left to the duals kept before: a dual that is cut off would ask too much.
+        if let Ok(column) = column.into_iter().map(i64::try_from).collect() {
+            self.root = Some((Duals { column, ..duals.clone() }, self.cuts.clone()));
+        }
     }
 
-    /// Duals and cuts of the root.
-    pub(super) fn root_duals(&self) -> (Duals, Vec<Crossing>) {
-        self.root.clone().unwrap_or_default()
+    /// Duals and cuts of the root; nothing while none fitted.
+    pub(super) fn root_duals(&self) -> Option<(Duals, Vec<Crossing>)> {
+        self.root.clone()
     }
 
     pub(super) fn exact_duals(&self, duals: &[f64]) -> Duals {

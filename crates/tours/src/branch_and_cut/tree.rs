@@ -32,8 +32,9 @@ pub(super) struct Node {
 }
 
 impl Default for Node {
+    /// The root, of which nothing is known: below whatever many visits can cost.
     fn default() -> Self {
-        Self { parts: i128::from(i64::MIN), depth: 0, order: 0, changes: None }
+        Self { parts: i128::MIN, depth: 0, order: 0, changes: None }
     }
 }
 

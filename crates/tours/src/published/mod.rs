@@ -12,7 +12,6 @@ use crate::answer::{Ending, Tour, TourAnswer};
 use crate::assignment::{Assignment, Matched};
 use crate::assignment_search::{Branching, Searched, search};
 use crate::certificate::Certificate;
-use crate::exact_bound::{Duals, PARTS};
 use crate::ladder::Offers;
 use crate::network::Network;
 use crate::options::{Method, SolveOptions};
@@ -61,11 +60,9 @@ fn by_method(
     if matched == Matched::None {
         return Ok(Ending::ProvenInfeasible);
     }
-    let scaled =
-        |duals: &[i64]| visits.type_duals(duals).iter().map(|dual| dual.saturating_mul(PARTS)).collect();
-    let duals = Duals { row: scaled(&assignment.row), column: scaled(&assignment.column), cuts: vec![] };
+    let (row, column) = (visits.type_duals(&assignment.row), visits.type_duals(&assignment.column));
     let every: Vec<Vec<usize>> = (0..network.size).map(|node| vec![node]).collect();
-    *certificate = Certificate::expanded(network.size, &network.counts, &every, &duals, &[]);
+    *certificate = Certificate::of_assignment(network.size, &network.counts, &every, &row, &column);
     progress.raise_bound(assignment.bound());
     let guide = GuideCosts::of(visits, &assignment.row, &assignment.column, work)?;
     let mut offers = Offers { network, visits, progress };

@@ -53,6 +53,11 @@ pub fn order_with_every_end(
         return Err(vec![Finding::EntryCount { size: sections, entries: effects.len() }]);
     }
     let joined = |at: usize| at / sections != at % sections && effects[at] != FORBIDDEN;
+    let too_large = |&at: &usize| joined(at) && effects[at].unsigned_abs() > LARGEST_COST as u64;
+    if let Some(at) = (0..effects.len()).find(too_large) {
+        let (from, to) = (at / sections, at % sections);
+        return Err(vec![Finding::CostTooLarge { from, to, cost: effects[at] }]);
+    }
     let largest = (0..effects.len()).filter(|&at| joined(at)).map(|at| effects[at]).max().unwrap_or(0);
     let costs: Vec<i64> = (0..effects.len())
         .map(|at| if joined(at) { model.cost(effects[at], sections as i64, largest) } else { FORBIDDEN })
