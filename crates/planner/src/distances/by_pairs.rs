@@ -2,7 +2,7 @@
 
 use super::matrix::Matrix;
 use super::{DistanceEnd, DistanceQuery, DistancesRefusal};
-use crate::{Answer, PreparedScene, RapidMove, Refusal};
+use crate::{Algorithm, Answer, PreparedScene, RapidMove, Refusal};
 use traverse_geometry::Scene;
 use traverse_solve::{Budget, Silent};
 
@@ -17,6 +17,8 @@ pub(super) fn fill(
     budget: &Budget,
 ) -> Result<(), DistancesRefusal> {
     let mut prepared = PreparedScene::new(scene.clone(), budget)?;
+    // What other clearances would make of pairs without a path is not asked for.
+    let is_asked_once = query.rules.clearances_mm.is_empty() && query.algorithm == Algorithm::Exact;
     let mut ends = Vec::new();
     let mut steps = 0;
     for (row, column) in matrix.open() {
@@ -29,7 +31,12 @@ pub(super) fn fill(
         };
         let left = budget.iterations.map(|limit| limit.saturating_sub(steps));
         let budget = Budget { iterations: left, ..budget.clone() };
-        match prepared.plan(&query, &budget, &mut Silent) {
+        let answer = if is_asked_once {
+            prepared.plan_at_its_clearance(&query, &budget, &mut Silent)
+        } else {
+            prepared.plan(&query, &budget, &mut Silent)
+        };
+        match answer {
             Ok((answer, stats)) => {
                 steps += stats.expanded_nodes;
                 if let Answer::Plan(plan) = answer {

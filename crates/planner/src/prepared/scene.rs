@@ -185,6 +185,25 @@ impl PreparedScene {
             // What is kept is of no use at another clearance.
             return crate::plan_rapid_move(&self.scene_now(), query, budget, observer);
         }
+        let (answer, mut stats) = self.plan_at_its_clearance(query, budget, observer)?;
+        if let Answer::Plan(_) = answer {
+            return Ok((answer, stats));
+        }
+        let answer = with_feasible_clearance(answer, &self.scene_now(), query, true, budget, &mut stats);
+        Ok((answer, stats))
+    }
+
+    /// Plans one rapid move that may have no other clearance than the scene's, by the exact algorithm; where there is no path,
+    /// says nothing of other clearances.
+    ///
+    /// # Errors
+    /// As [`crate::plan_rapid_move`].
+    pub(crate) fn plan_at_its_clearance(
+        &mut self,
+        query: &RapidMove,
+        budget: &Budget,
+        observer: &mut dyn Observer,
+    ) -> Result<(Answer, Stats), Vec<Refusal>> {
         self.tidy(budget);
         let Self { scene, terrain, sights, room, mesh, .. } = self;
         let barriers = Barriers::view(scene, &terrain.obstruction, Some((&terrain.there, &terrain.nearby)));
@@ -193,10 +212,6 @@ impl PreparedScene {
         let mut stats = Stats::default();
         let asked = Asked { barriers: &barriers, query, is_last: true, budget };
         let answer = plan_among(asked, &mut along, &mut stats, observer)?;
-        if let Answer::Plan(_) = answer {
-            return Ok((answer, stats));
-        }
-        let answer = with_feasible_clearance(answer, &self.scene_now(), query, true, budget, &mut stats);
         Ok((answer, stats))
     }
 
