@@ -183,6 +183,19 @@ fn prepared_scenes_answer_the_same() {
     }
 }
 
+/// Long moves among many obstacles: the cheapest ways differ by less than a thousandth, and labels must not fill memory.
+#[test]
+fn ways_through_many_obstacles_are_all_told() {
+    let mut random = Seed(7).stream();
+    let cells = (0..1024).map(|i| point(f64::from(i % 32) * 50.0, f64::from(i / 32) * 50.0));
+    let shapes: Vec<Polygon> = cells.map(|center| star(&mut random, center, 22.0, 8)).collect();
+    let scene = scene(shapes, 1.5);
+    for (start, target) in [((25.0, 25.0), (1525.0, 625.0)), ((75.0, 1375.0), (1475.0, 225.0))] {
+        let (start, target) = (point(start.0, start.1), point(target.0, target.1));
+        assert_eq!(lengths(&scene, 4, start, target).len(), 4);
+    }
+}
+
 #[test]
 fn all_taut_paths_among_discs_are_found_in_order() {
     let mut compared = 0;
