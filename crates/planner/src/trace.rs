@@ -4,6 +4,10 @@ use crate::drive::SHORTEST_ARC_MM;
 use crate::search::Route;
 use traverse_geometry::{CONTACT_TOLERANCE_MM, Edge, Path, Point};
 
+/// A straight move to an arc shorter than this is left out, millimetres: where two features share a circle, rounding alone lies
+/// between their arcs, and its direction says nothing.
+const SHORTEST_LINE_MM: f64 = 1e-9;
+
 /// The path that a route answers with. Costs the route's cost, but for rounding.
 pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {
     let mut path = Path::at(start);
@@ -14,7 +18,9 @@ pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {
             continue;
         }
         let arrival = feature.center + stop.spoke_in * feature.price_radius;
-        path.line_to(arrival);
+        if (arrival - path.end()).norm() > SHORTEST_LINE_MM {
+            path.line_to(arrival);
+        }
         if stop.turned * feature.price_radius > SHORTEST_ARC_MM {
             let departure = feature.center + stop.spoke_out * feature.price_radius;
             path.arc_to(departure, feature.center, stop.turned * stop.side.sign());

@@ -165,3 +165,35 @@ fn what_is_put_again_and_again_does_not_pile_up() {
     expected.obstacles.push(first);
     assert_same(&mut prepared, &expected, &mut random, 5, "put again");
 }
+
+/// A few obstacles come and go, also by edits that are refused and undone, more often than moves are asked for.
+#[test]
+fn what_came_and_went_between_moves_leaves_no_trace() {
+    let mut plans = 0;
+    for seed in 0..60 {
+        let mut random = Seed(100 + seed).stream();
+        let mut fresh = scene(stars(&mut random, 25, 100.0, 10.0), [0.0, 1.0][seed as usize % 2]);
+        let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+        assert_same(&mut prepared, &fresh, &mut random, 6, "warm");
+        for step in 0..60 {
+            let id = format!("o{}", random.random_range(0..3));
+            let mut edit = SceneEdit::default();
+            if fresh.obstacles.iter().any(|obstacle| obstacle.id == id) && random.random_bool(0.6) {
+                edit.remove.push(id);
+            } else {
+                edit.put.push(Obstacle { id, ..obstacle(&mut random, 1, 100.0) });
+            }
+            if random.random_bool(0.2) {
+                edit.remove.push("nowhere".to_owned());
+                prepared.edit(edit, &Budget::unlimited()).unwrap_err();
+            } else {
+                fresh = edited(&fresh, &edit);
+                prepared.edit(edit, &Budget::unlimited()).unwrap();
+            }
+            let count = random.random_range(0..6_usize).saturating_sub(3);
+            let what = format!("seed {seed} step {step}");
+            plans += assert_same(&mut prepared, &fresh, &mut random, count, &what);
+        }
+    }
+    assert!(plans > 1000, "{plans}");
+}

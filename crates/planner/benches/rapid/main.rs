@@ -2,7 +2,7 @@
 //! crate `polyanya` (plain and merged). Prints microseconds and ratios.
 //!
 //! `cargo bench -p traverse-planner --bench rapid -- [--full] [--alone] [PART…] [N…] [FILE.json…]`. Parts: `one-shot`, `prepared`,
-//! `edits`, `obstacle`, `memory`; none: all of them. Numbers: only scenes of so many obstacles. `--alone`: prepared moves without the peer, which does not end on every map. A file holds a scene with its optimal lengths (see `scene_file`): every move
+//! `edits`, `distances`, `obstacle`, `memory`; none: all of them. Numbers: only scenes of so many obstacles. `--alone`: prepared moves without the peer, which does not end on every map. A file holds a scene with its optimal lengths (see `scene_file`): every move
 //! of it is compared with its optimum, where it stands and 20 m further out, and its prepared moves are measured.
 #![allow(
     clippy::unwrap_used,
@@ -11,14 +11,20 @@
     reason = "a bench stops where it can't go on"
 )]
 
+mod distances;
 mod edits;
 mod memory;
 mod one_obstacle;
 mod one_shot;
+#[path = "../shared/peer.rs"]
 mod peer;
+#[path = "../shared/planned.rs"]
+mod planned;
 mod prepared;
+#[path = "../shared/scattered.rs"]
 mod scattered;
 mod scene_file;
+#[path = "../shared/timing.rs"]
 mod timing;
 
 use std::path::Path;
@@ -45,6 +51,9 @@ fn main() {
     }
     if wants("edits") {
         edits::table(10_000, if full { 400 } else { 100 });
+    }
+    if wants("distances") {
+        distances::table();
     }
     if wants("obstacle") {
         one_obstacle::table();

@@ -1,6 +1,6 @@
 //! One obstacle of very many vertices: how time grows with them.
 
-use crate::one_shot::plan;
+use crate::planned::plan;
 use crate::timing::timed;
 use std::f64::consts::TAU;
 use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, RapidRules, Ring, Scene, unit};

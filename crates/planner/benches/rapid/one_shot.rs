@@ -1,11 +1,10 @@
 //! A validated scene in, one path out.
 
 use crate::peer::{mesh, to_vec2};
+use crate::planned::plan;
 use crate::scattered::{moves, scattered};
 use crate::timing::{share, sorted, timed};
 use traverse_geometry::Scene;
-use traverse_planner::{Answer, RapidMove, plan_rapid_move};
-use traverse_solve::{Budget, Silent};
 
 /// Prints a row for each size.
 pub(crate) fn table(sizes: &[usize], full: bool) {
@@ -54,12 +53,4 @@ fn row(n: usize, queries: usize) {
         format!("1/{:.0}", share(&theirs, 0.5) / share(&ours, 0.5)),
         share(&round, 0.5) / share(&ours, 0.5)
     );
-}
-
-/// The length of the shortest path.
-pub(crate) fn plan(scene: &Scene, query: &RapidMove) -> f64 {
-    match plan_rapid_move(scene, query, &Budget::unlimited(), &mut Silent) {
-        Ok((Answer::Plan(plan), _)) => plan.cost,
-        other => panic!("no plan: {other:?}"),
-    }
 }

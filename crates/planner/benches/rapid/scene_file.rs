@@ -1,7 +1,7 @@
 //! Scenes with optimal lengths from files: regions of free space, each an outer ring and holes, and moves, each
 //! `[start x, start y, target x, target y, shortest length]`, millimetres.
 
-use crate::one_shot::plan;
+use crate::planned::plan;
 use crate::prepared;
 use crate::timing::{share, sorted, timed};
 use serde_json::Value;

@@ -21,8 +21,9 @@ use traverse_solve::{Budget, Interrupt, Observer, Silent};
 /// The start's horizon is made of what stands within so many cells.
 const HORIZON_CELLS: i64 = 3;
 
-/// Vertices of obstacles that are gone may always be kept up to this count; beyond, up to as many as are there.
-const GONE_VERTICES: usize = 4096;
+/// Vertices of obstacles that are gone may always be kept up to this count; beyond, up to as many as are there. Of one obstacle
+/// that is put again and again, all lie in the same place: a small scene is taken apart anew sooner than it looks through those.
+const GONE_VERTICES: usize = 128;
 
 /// So many corners may always lie outside of the grid, which was made for the scene as it was at first; beyond, up to half.
 const OUTSIDE_FEATURES: usize = 512;

@@ -4,6 +4,7 @@ use super::link::Link;
 use super::sight::{Looked, Sight, line, link, look_towards, may_matter, sight};
 use super::terrain::Terrain;
 use crate::barrier::Side;
+use rustc_hash::FxHashMap;
 use traverse_geometry::Bounds;
 use traverse_solve::{Budget, Interrupt};
 
@@ -21,6 +22,8 @@ pub(super) struct Sights {
     /// Per feature on the left and on the right.
     known: Vec<[Option<Box<Kept>>; 2]>,
     edits: Vec<Edit>,
+    /// Per owner by which of the edits it was added last.
+    added: FxHashMap<usize, usize>,
     looked: Looked,
     link_count: usize,
     /// Beyond so many links all are forgotten, and worked out again as they are needed.
@@ -38,6 +41,18 @@ struct Edit {
     owner: usize,
     kind: EditKind,
     bounds: Bounds,
+    /// Which of the edits had added the owner, if it was removed; none: it was there before them.
+    since: Option<usize>,
+}
+
+impl Edit {
+    /// Whether a sight that misses the edits from `first` on can do without this one: its owner came and went in between.
+    fn is_idle(&self, terrain: &Terrain, first: usize) -> bool {
+        match self.kind {
+            EditKind::Added => !terrain.there.has(self.owner),
+            EditKind::Removed => self.since.is_some_and(|since| since >= first),
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -49,8 +64,8 @@ pub(super) enum EditKind {
 impl Sights {
     /// Nothing seen yet; of what will be, about `links_kept` links are kept.
     pub(super) fn keeping(links_kept: usize) -> Self {
-        let (known, edits, looked) = (Vec::new(), Vec::new(), Looked::default());
-        Self { known, edits, looked, link_count: 0, links_kept }
+        let (known, edits, added) = (Vec::new(), Vec::new(), FxHashMap::default());
+        Self { known, edits, added, looked: Looked::default(), link_count: 0, links_kept }
     }
 
     /// How many links are kept at most, about.
@@ -61,6 +76,7 @@ impl Sights {
     fn forget(&mut self) {
         self.known.clear();
         self.edits.clear();
+        self.added.clear();
         self.link_count = 0;
     }
 
@@ -69,9 +85,12 @@ impl Sights {
         if self.edits.len() >= EDITS_NOTED {
             self.forget();
         }
-        if let Some(bounds) = terrain.owned(owner).bounds {
-            self.edits.push(Edit { owner, kind, bounds });
-        }
+        let Some(bounds) = terrain.owned(owner).bounds else { return };
+        let since = match kind {
+            EditKind::Added => self.added.insert(owner, self.edits.len()),
+            EditKind::Removed => self.added.get(&owner).copied(),
+        };
+        self.edits.push(Edit { owner, kind, bounds, since });
     }
 
     /// Makes sure that the sight from a feature is known and up to date.
@@ -100,16 +119,26 @@ impl Sights {
                 return Ok(());
             }
             let before = kept.sight.links.len();
-            let mut missed = self.edits[kept.edits..].iter();
+            let first = kept.edits;
+            let mut missed = self.edits[first..].iter().filter(|edit| !edit.is_idle(terrain, first));
             let is_up_to_date = missed.try_fold(true, |is_up_to_date, edit| {
                 let looked = &mut self.looked;
                 Ok(is_up_to_date && update(terrain, (feature, side), &mut kept.sight, edit, looked, budget)?)
             });
             self.link_count = self.link_count - before + kept.sight.links.len();
-            if is_up_to_date? {
-                kept.sight.sort();
-                kept.edits = now;
-                return Ok(());
+            match is_up_to_date {
+                Ok(true) => {
+                    kept.sight.sort();
+                    kept.edits = now;
+                    return Ok(());
+                }
+                Ok(false) => {}
+                Err(interrupt) => {
+                    // It has taken in some of the edits, and must not take those for idle later on.
+                    self.link_count -= kept.sight.links.len();
+                    self.known[at][side as usize] = None;
+                    return Err(interrupt);
+                }
             }
         }
         let sight = sight(terrain, feature, side, &mut self.looked, budget)?;

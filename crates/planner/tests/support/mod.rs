@@ -3,6 +3,7 @@
 
 pub mod awkward;
 pub mod oracle;
+pub mod parallels;
 pub mod taut;
 pub mod tool_change;
 

@@ -1,8 +1,11 @@
-//! All taut paths among circles, by brute force.
+//! All taut paths among circles that neither cross nor touch themselves, by brute force.
 
 use super::oracle::Norm;
 use std::f64::consts::TAU;
 use traverse_geometry::Point;
+
+/// An arc on this circle: the angle that it begins at and the turn, counter-clockwise.
+type Bend = (usize, f64, f64);
 
 /// Every sequence of circles and sides whose tangents and arcs are free and that
 /// never turns back.
@@ -36,20 +39,21 @@ impl Taut<'_> {
 
     /// All of them, cheapest first, each once: a bend of no turn is found with and without it.
     pub fn all(mut self, start: Point) -> Vec<f64> {
-        self.go(start, None, (0.0, 0.0), &[start], 14);
+        self.go(start, None, (0.0, 0.0), (&[start], &[]), 14);
         self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
         self.found.dedup_by(|a, b| (a.0 - b.0).abs() < 1e-7 && (a.1 - b.1).abs() < 1e-7);
         self.found.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.found.iter().map(|found| found.0).collect()
     }
 
-    /// Goes on from `at`, on circle `on` with its side and the direction of arrival there; `line`: what was passed.
+    /// Goes on from `at`, on circle `on` with its side and the direction of arrival there; `line` and `bends`: what was
+    /// passed.
     fn go(
         &mut self,
         at: Point,
         on: Option<(usize, f64)>,
         (cost, length): (f64, f64),
-        line: &[Point],
+        (line, bends): (&[Point], &[Bend]),
         depth: usize,
     ) {
         let options = (0..self.circles.len()).flat_map(|i| [(Some(i), 1.0), (Some(i), -1.0)]);
@@ -65,7 +69,7 @@ impl Taut<'_> {
             let angle = axis.y.atan2(axis.x) + TAU / 4.0 - (across / axis.norm()).asin();
             let normal = traverse_geometry::unit(angle);
             let (leaves, arrives) = (from_center - normal * from_radius, center - normal * radius * side);
-            let mut passed = line.to_vec();
+            let (mut passed, mut bent) = (line.to_vec(), bends.to_vec());
             let by = arrives - leaves;
             let (mut more, mut longer) = (self.norm.straight((by.x, by.y)), by.norm());
             if let Some((i, side)) = on {
@@ -79,6 +83,10 @@ impl Taut<'_> {
                     continue;
                 }
                 let from = angle_of(at) - if side < 0.0 { turn } else { 0.0 };
+                if bends.iter().any(|other| meet(other, &(i, from, turn))) {
+                    continue;
+                }
+                bent.push((i, from, turn));
                 more += self.norm.arc(radius, from, turn);
                 longer += radius * turn;
                 let count = 1 + (turn * 60.0) as usize;
@@ -99,12 +107,24 @@ impl Taut<'_> {
             match next {
                 None => self.found.push((cost + more, length + longer)),
                 Some(i) if depth > 0 => {
-                    self.go(arrives, Some((i, side)), (cost + more, length + longer), &passed, depth - 1);
+                    self.go(
+                        arrives,
+                        Some((i, side)),
+                        (cost + more, length + longer),
+                        (&passed, &bent),
+                        depth - 1,
+                    );
                 }
                 Some(_) => panic!("paths of more bends than expected"),
             }
         }
     }
+}
+
+/// Whether two arcs have a point in common. Two ways round one circle do not cross where they run along it: one of them can
+/// be moved aside. They touch.
+fn meet(a: &Bend, b: &Bend) -> bool {
+    a.0 == b.0 && ((b.1 - a.1).rem_euclid(TAU) <= a.2 || (a.1 - b.1).rem_euclid(TAU) <= b.2)
 }
 
 /// Whether any of the line's segments from `new` on crosses an earlier one.
