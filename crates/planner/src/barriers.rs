@@ -1,7 +1,7 @@
 //! All barriers of a scene.
 
 use crate::barrier::{Blocker, Clearance, Feature, Obstruction, ObstructionParts, Outline};
-use crate::prepared::Nearby;
+use crate::prepared::{ClearPoint, Nearby};
 use std::ops::ControlFlow;
 use traverse_geometry::{Obstacle, Point, Polygon, Scene, Segment, WORK_AREA_ID};
 use traverse_solve::{Budget, Interrupt};
@@ -147,28 +147,38 @@ impl<'a> Barriers<'a> {
         }
     }
 
-    /// Whether `point` is known, at constant cost, to lie clear of every barrier: nothing lies between it and the middle of
-    /// its cell, which does. `is_clear` tells whether a middle does, once for each.
+    /// Whether `point` is known, at constant cost, to lie clear of every barrier: nothing lies between it and the clear point of
+    /// its cell. `is_clear` tells whether a middle is one, once for each.
     pub(crate) fn is_known_clear(&self, point: Point, is_clear: impl FnOnce(Point) -> Option<bool>) -> bool {
         let Some((_, nearby)) = self.there else { return false };
         if nearby.was_clear(point) {
             return true;
         }
-        let Some((middle, known)) = nearby.middle_of(point) else { return false };
-        if known.get().is_none() {
-            known.set(is_clear(middle));
+        let Some((middle, known)) = nearby.cell_of(point) else { return false };
+        if let ClearPoint::Unknown = known.get() {
+            match is_clear(middle) {
+                Some(true) => known.set(ClearPoint::At(middle)),
+                Some(false) => known.set(ClearPoint::None),
+                None => return false,
+            }
         }
-        let mut is_free = known.get() == Some(true);
-        if is_free {
-            self.blocking(&Segment::new(point, middle), |_| {
-                is_free = false;
-                ControlFlow::Break(())
-            });
-        }
+        let ClearPoint::At(clear) = known.get() else { return false };
+        let mut is_free = true;
+        self.blocking(&Segment::new(point, clear), |_| {
+            is_free = false;
+            ControlFlow::Break(())
+        });
         if is_free {
             nearby.note_clear(point);
         }
         is_free
+    }
+
+    /// Takes note that nothing blocks `point` and that it lies in no barrier, so that others near it are known to be clear.
+    pub(crate) fn note_clear(&self, point: Point) {
+        if let Some((_, nearby)) = self.there {
+            nearby.note_clear(point);
+        }
     }
 
     /// The obstacle; none for the work area.

@@ -37,19 +37,25 @@ pub(crate) fn places(
     point: Point,
     budget: &Budget,
 ) -> Result<Vec<Point>, Interrupt> {
-    let close = close(barriers, left_out, point);
-    if close.is_empty() {
+    let mut near = near(barriers, left_out, point);
+    let mut close = near.iter().filter(|blocker| is_close(blocker, point)).peekable();
+    if close.peek().is_none() {
         return Ok(vec![point]);
     }
-    let beside = if close.iter().any(is_contact) {
-        beside_borders(&touching(barriers, left_out, point), point)
+    let beside = if close.any(is_contact) {
+        near.retain(is_contact);
+        beside_borders(&near, point)
     } else {
         vec![point]
     };
+    // What is clear lies on one side of whatever is near.
+    let meets_in_point = if is_clear(barriers, left_out, point) { 0.0 } else { CONTACT_TOLERANCE_MM };
     let mut places: Vec<Point> = Vec::new();
     for beside in beside {
         let place = out_of_clearances(barriers, left_out, beside);
-        if is_clear(barriers, left_out, place) && is_free_side(barriers, left_out, point, place, budget)? {
+        if is_clear(barriers, left_out, place)
+            && is_free_side(barriers, left_out, [point, place], meets_in_point, budget)?
+        {
             places.push(place);
         }
     }
@@ -74,7 +80,7 @@ pub(crate) fn is_clear(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, plac
 
 /// Blockers that `point` lies nearer to than a contact tolerance and that are planned at it.
 pub(crate) fn touching(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Vec<Blocker> {
-    let mut touching = blockers_round(barriers, left_out, point, 0.0);
+    let mut touching = near(barriers, left_out, point);
     touching.retain(is_contact);
     touching
 }
@@ -89,19 +95,16 @@ fn planned(blocker: &Blocker) -> f64 {
     blocker.limit + CONTACT_TOLERANCE_MM / 2.0
 }
 
-/// Blockers that `point` lies nearer to than is planned, by more than rounding.
-fn close(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Vec<Blocker> {
-    blockers_round(barriers, left_out, point, 16.0 * f64::EPSILON * point.coords.amax().max(1.0))
+/// Whether `point` lies nearer to a blocker than is planned, by more than rounding.
+fn is_close(blocker: &Blocker, point: Point) -> bool {
+    let rounding_mm = 16.0 * f64::EPSILON * point.coords.amax().max(1.0);
+    blocker.edge.distance_to_point(point) < planned(blocker) - rounding_mm
 }
 
-fn blockers_round(
-    barriers: &Barriers<'_>,
-    left_out: &BTreeSet<usize>,
-    point: Point,
-    rounding_mm: f64,
-) -> Vec<Blocker> {
+/// Blockers that `point` lies nearer to than is planned.
+fn near(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, point: Point) -> Vec<Blocker> {
     let mut found = Vec::new();
-    barriers.round(point, CONTACT_TOLERANCE_MM / 2.0 - rounding_mm, |blocker| {
+    barriers.round(point, CONTACT_TOLERANCE_MM / 2.0, |blocker| {
         if !left_out.contains(&blocker.owner) {
             found.push(*blocker);
         }
@@ -180,7 +183,8 @@ fn beside_borders(touching: &[Blocker], point: Point) -> Vec<Point> {
 /// The place itself, or moved out of the clearances that it lies in by rounding.
 fn out_of_clearances(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, place: Point) -> Point {
     let outward = |place: Point| {
-        let worst = close(barriers, left_out, place).into_iter().filter(|blocker| !is_contact(blocker));
+        let near = near(barriers, left_out, place).into_iter();
+        let worst = near.filter(|blocker| !is_contact(blocker) && is_close(blocker, place));
         let needs = worst.filter_map(|blocker| {
             let away = place - blocker.edge.nearest_point(place);
             let need = planned(&blocker) - away.norm();
@@ -198,18 +202,16 @@ fn out_of_clearances(barriers: &Barriers<'_>, left_out: &BTreeSet<usize>, place:
 }
 
 /// Whether `place` lies beside `point` on the free side: outside of all material, with nothing between them but
-/// what meets in `point` itself.
+/// what lies nearer to the point than `meets_in_point`. Nothing blocks it.
 fn is_free_side(
     barriers: &Barriers<'_>,
     left_out: &BTreeSet<usize>,
-    point: Point,
-    place: Point,
+    [point, place]: [Point; 2],
+    meets_in_point: f64,
     budget: &Budget,
 ) -> Result<bool, Interrupt> {
     let line = Segment::new(point, place);
     let between = Edge::Segment(line);
-    // What is clear lies on one side of whatever is near.
-    let meets_in_point = if is_clear(barriers, left_out, point) { 0.0 } else { CONTACT_TOLERANCE_MM };
     let parted = barriers.near(&line).any(|blocker| {
         !left_out.contains(&blocker.owner)
             && blocker.edge.distance_to_point(point) >= meets_in_point
@@ -226,6 +228,9 @@ fn is_free_side(
         if depth(barriers, owner, place).is_some() {
             return Ok(false);
         }
+    }
+    if left_out.is_empty() {
+        barriers.note_clear(place);
     }
     Ok(true)
 }

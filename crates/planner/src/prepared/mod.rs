@@ -31,5 +31,5 @@ pub use edit::SceneEdit;
 pub(crate) use fan::{Fan, FanRoom};
 pub(crate) use link::Link;
 pub(crate) use links_at_last::LinksAtLast;
-pub(crate) use nearby::Nearby;
+pub(crate) use nearby::{ClearPoint, Nearby};
 pub use scene::{EditRefusal, PreparedScene};

@@ -8,13 +8,24 @@ use traverse_geometry::{Bounds, Point};
 /// A box that would enter more cells than this is looked at always.
 const WIDE_CELLS: f64 = 64.0;
 
+/// A point of a cell that lies clear of every barrier.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ClearPoint {
+    /// Nobody looked.
+    Unknown,
+    /// The middle is not clear, and nothing else was found.
+    None,
+    /// The middle, or where that is not clear the first point that was found.
+    At(Point),
+}
+
 /// Owners by the boxes of their barriers.
 #[derive(Clone, Debug)]
 pub(crate) struct Nearby {
     boxes: Grid,
     wide: Vec<usize>,
-    /// Per cell whether its middle lies clear of every barrier, as far as that is known.
-    middles: Vec<Cell<Option<bool>>>,
+    /// Per cell a clear point, as far as that is known.
+    clear_points: Vec<Cell<ClearPoint>>,
     /// The last two points that were found clear: each end of a move is asked about more than once.
     clear: Cell<[Option<Point>; 2]>,
 }
@@ -23,19 +34,19 @@ impl Nearby {
     /// Nothing yet, in cells like those of `grid`.
     pub(super) fn like(grid: &Grid) -> Self {
         let [columns, rows] = grid.size();
-        let middles = vec![Cell::new(None); columns * rows];
-        Self { boxes: grid.same_cells(), wide: Vec::new(), middles, clear: Cell::default() }
+        let clear_points = vec![Cell::new(ClearPoint::Unknown); columns * rows];
+        Self { boxes: grid.same_cells(), wide: Vec::new(), clear_points, clear: Cell::default() }
     }
 
-    /// The middle of the cell that a point lies in, and whether it is clear of every barrier, as far as that is known.
-    pub(crate) fn middle_of(&self, point: Point) -> Option<(Point, &Cell<Option<bool>>)> {
+    /// The middle of the cell that a point lies in, and the cell's clear point.
+    pub(crate) fn cell_of(&self, point: Point) -> Option<(Point, &Cell<ClearPoint>)> {
         let [column, row] = self.boxes.cell_at(point);
         let [columns, rows] = self.boxes.size();
         let (column_at, row_at) = (usize::try_from(column).ok()?, usize::try_from(row).ok()?);
         if column_at >= columns || row_at >= rows {
             return None;
         }
-        Some((self.boxes.middle(column, row), &self.middles[row_at * columns + column_at]))
+        Some((self.boxes.middle(column, row), &self.clear_points[row_at * columns + column_at]))
     }
 
     /// Whether `point` was found clear just now.
@@ -47,6 +58,11 @@ impl Nearby {
     pub(crate) fn note_clear(&self, point: Point) {
         let [last, _] = self.clear.get();
         self.clear.set([Some(point), last]);
+        if let Some((_, known)) = self.cell_of(point)
+            && let ClearPoint::None = known.get()
+        {
+            known.set(ClearPoint::At(point));
+        }
     }
 
     /// Forgets whether points within `bounds` are clear.
@@ -56,7 +72,7 @@ impl Nearby {
         let (low, high) = (self.boxes.cell_at(bounds.min), self.boxes.cell_at(bounds.max));
         for row in low[1].max(0)..=high[1].min(rows - 1) {
             for column in low[0].max(0)..=high[0].min(columns - 1) {
-                self.middles[(row * columns + column) as usize].set(None);
+                self.clear_points[(row * columns + column) as usize].set(ClearPoint::Unknown);
             }
         }
     }
