@@ -10,6 +10,7 @@ use crate::height_bound::{heights, least_thickness};
 use crate::instance::{Instance, NOTHING_IN_THE_WAY};
 use crate::progress::Progress;
 use rustc_hash::FxHashMap;
+use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use traverse_geometry::SlideRule;
@@ -38,6 +39,12 @@ struct Beginning {
     item: u32,
     /// What is left.
     state: usize,
+    /// Of it, the part whose chain bounds best as far as is known.
+    part: usize,
+    /// Whether changes of the part have been tried.
+    tightened: bool,
+    /// Whether another is as good throughout.
+    dropped: bool,
     end: i64,
     /// Where each item would stand next.
     next: Box<[i64]>,
@@ -63,6 +70,8 @@ struct Search<'a> {
     open: BinaryHeap<(Reverse<i64>, usize, u32)>,
     /// By what is left and, where joins are forbidden, what came last.
     like: FxHashMap<(usize, usize), Vec<u32>>,
+    /// The kind that began the shortest chain the last time.
+    likely: Cell<usize>,
 }
 
 /// Searches until everything is decided, memory runs out or the budget ends.
@@ -85,6 +94,7 @@ pub(crate) fn search(
         beginnings: vec![],
         open: BinaryHeap::new(),
         like: FxHashMap::default(),
+        likely: Cell::new(0),
     };
     search.run(progress, budget)
 }
@@ -119,6 +129,9 @@ impl Search<'_> {
             before: u32::MAX,
             item: u32::MAX,
             state: self.counts.full(),
+            part: self.counts.full(),
+            tightened: true,
+            dropped: false,
             end: 0,
             next: vec![0; items].into_boxed_slice(),
             front: vec![i64::MIN; front].into_boxed_slice(),
@@ -136,7 +149,15 @@ impl Search<'_> {
             }
             budget.check(progress.iterations())?;
             progress.add_iterations(1);
-            self.grow(number, placed, progress);
+            if self.beginnings[number as usize].dropped {
+                continue;
+            }
+            let tighter = self.tightened(number);
+            if tighter > bound {
+                self.open.push((Reverse(tighter), placed, number));
+            } else {
+                self.grow((bound, placed, number), progress);
+            }
         }
         if progress.best().is_some() {
             progress.raise_bound_to_what_is_reached();
@@ -145,7 +166,7 @@ impl Search<'_> {
     }
 
     /// Every beginning that has one section more.
-    fn grow(&mut self, number: u32, placed: usize, progress: &mut Progress<'_>) {
+    fn grow(&mut self, (least, placed, number): (i64, usize, u32), progress: &mut Progress<'_>) {
         let (state, last) = (self.beginnings[number as usize].state, self.beginnings[number as usize].item);
         for kind in 0..self.instance.kinds.len() {
             let joins = match self.instance.items.get(last as usize) {
@@ -163,8 +184,9 @@ impl Search<'_> {
                     }
                     continue;
                 }
-                let bound = self.bound(&beginning);
-                if !progress.is_reached_by(bound) && self.is_new(&beginning) {
+                // What the beginning's own beginning is bounded by bounds it, too.
+                let bound = self.bound(&beginning, least);
+                if !progress.is_reached_by(bound) && self.takes_its_place(&beginning) {
                     let fresh = self.beginnings.len() as u32;
                     let like = self.like.entry(self.likeness(&beginning)).or_default();
                     like.push(fresh);
@@ -194,20 +216,24 @@ impl Search<'_> {
                     .collect()
             }
         };
+        let state = self.counts.without(parent.state, instance.items[item].kind);
         Beginning {
             before: number,
             item: item as u32,
-            state: self.counts.without(parent.state, instance.items[item].kind),
+            state,
+            part: self.counts.common(parent.part, state),
+            tightened: false,
+            dropped: false,
             end: parent.end.max(x + instance.items[item].width),
             next: next.collect(),
             front,
         }
     }
 
-    /// No layout that begins so is shorter.
-    fn bound(&self, beginning: &Beginning) -> i64 {
+    /// No layout that begins so is shorter; nor is any shorter than `least`.
+    fn bound(&self, beginning: &Beginning, least: i64) -> i64 {
         let instance = self.instance;
-        let mut bound = beginning.end.max(self.front_bound(beginning));
+        let mut bound = least.max(beginning.end).max(self.front_bound(beginning));
         for kind in 0..instance.kinds.len() {
             if self.counts.left(beginning.state, kind) > 0 {
                 let items = instance.kinds[kind].items.clone();
@@ -215,27 +241,95 @@ impl Search<'_> {
                 bound = bound.max(nearest.unwrap_or(0));
             }
         }
+        if let Some((table, _)) = self.parts(beginning.state) {
+            return bound.max(self.part_bound(beginning, table, beginning.part, bound));
+        }
         for (number, table) in self.tables.iter().enumerate() {
             let state = table.counts.within(&self.counts, beginning.state);
             if state > 0 {
-                bound = bound.max(self.table_bound(beginning, table, state, number == 0));
+                bound = bound.max(self.table_bound(beginning, table, state, number == 0, bound));
             }
         }
         bound
     }
 
-    /// By the chain of what is left of a table's kinds.
-    fn table_bound(&self, beginning: &Beginning, table: &Completion, state: usize, neighbours: bool) -> i64 {
+    /// The table in which every part of what is left has its chain, and the part with the longest.
+    fn parts(&self, state: usize) -> Option<(&Completion, usize)> {
+        self.tables.first().and_then(|table| Some((table, table.longest_part(state)?)))
+    }
+
+    /// A better bound by another part of what is left: all of it, that with the longest chain, and what the better of
+    /// these becomes by changes of a copy at a time. Every part's chain bounds. Done once for each beginning and only
+    /// when it is the most promising: most never are.
+    fn tightened(&mut self, number: u32) -> i64 {
+        let beginning = &self.beginnings[number as usize];
+        let state = beginning.state;
+        let Some((table, longest)) = self.parts(state).filter(|_| !beginning.tightened) else { return 0 };
+        let mut best = (0, state);
+        let try_part = |part: usize, best: &mut (i64, usize)| {
+            let bound = self.part_bound(beginning, table, part, best.0);
+            let better = bound > best.0;
+            if better {
+                *best = (bound, part);
+            }
+            better
+        };
+        for part in [beginning.part, longest, state] {
+            try_part(part, &mut best);
+        }
+        let mut better = true;
+        while better {
+            better = false;
+            for kind in 0..self.instance.kinds.len() {
+                let (in_part, left) = (self.counts.left(best.1, kind), self.counts.left(state, kind));
+                let more = (in_part < left).then(|| self.counts.with(best.1, kind));
+                let fewer = (in_part > 0).then(|| self.counts.without(best.1, kind));
+                for part in [more, fewer].into_iter().flatten() {
+                    better |= try_part(part, &mut best);
+                }
+            }
+        }
+        let beginning = &mut self.beginnings[number as usize];
+        (beginning.part, beginning.tightened) = (best.1, true);
+        best.0
+    }
+
+    /// By the chain of a part of what is left; `floor` as in [`Self::table_bound`].
+    fn part_bound(&self, beginning: &Beginning, table: &Completion, part: usize, floor: i64) -> i64 {
+        // Of nothing there is no chain.
+        if part == 0 { floor } else { self.table_bound(beginning, table, part, false, floor) }
+    }
+
+    /// By the chain of what is left of a table's kinds. `floor` where that bounds
+    /// no better: how much worse doesn't matter.
+    fn table_bound(
+        &self,
+        beginning: &Beginning,
+        table: &Completion,
+        state: usize,
+        neighbours: bool,
+        floor: i64,
+    ) -> i64 {
         let instance = self.instance;
         let last = instance.items[beginning.item as usize].kind;
         let mut shortest = NO_COMPLETION;
-        for kind in 0..instance.kinds.len() {
+        let kinds = instance.kinds.len();
+        // What began the shortest chain the last time often does again.
+        let likely = self.likely.get();
+        for kind in (likely..kinds).chain(0..likely) {
             if !table.counts.may_come(state, kind) || (neighbours && !instance.may_join(last, kind)) {
                 continue;
             }
             let rest = table.counts.without(state, kind);
             for item in instance.kinds[kind].items.clone() {
-                shortest = shortest.min(beginning.next[item].saturating_add(table.length(rest, item)));
+                let through = beginning.next[item].saturating_add(table.length(rest, item));
+                if through < shortest {
+                    shortest = through;
+                    self.likely.set(kind);
+                    if shortest <= floor {
+                        return floor;
+                    }
+                }
             }
         }
         shortest
@@ -260,17 +354,34 @@ impl Search<'_> {
         (beginning.state, last)
     }
 
-    /// Whether no other beginning with the same copies is at least as good throughout.
-    fn is_new(&self, beginning: &Beginning) -> bool {
-        let Some(like) = self.like.get(&self.likeness(beginning)) else { return true };
+    /// Whether no other beginning with the same copies is at least as good throughout. Those that it is as good as
+    /// itself are dropped then: it is put in their place.
+    fn takes_its_place(&mut self, beginning: &Beginning) -> bool {
+        let likeness = self.likeness(beginning);
+        let Some(like) = self.like.get_mut(&likeness) else { return true };
         let instance = self.instance;
         let left: Vec<usize> = (0..instance.items.len())
             .filter(|&item| self.counts.left(beginning.state, instance.items[item].kind) > 0)
             .collect();
-        !like.iter().rev().take(MOST_COMPARED).any(|&other| {
-            let other = &self.beginnings[other as usize];
-            other.end <= beginning.end && left.iter().all(|&item| other.next[item] <= beginning.next[item])
-        })
+        let is_as_good = |one: &Beginning, other: &Beginning| {
+            one.end <= other.end && left.iter().all(|&item| one.next[item] <= other.next[item])
+        };
+        let compared = like.len().saturating_sub(MOST_COMPARED);
+        let others = &like[compared..];
+        if others.iter().rev().any(|&other| is_as_good(&self.beginnings[other as usize], beginning)) {
+            return false;
+        }
+        let mut kept = compared;
+        for at in compared..like.len() {
+            let other = &mut self.beginnings[like[at] as usize];
+            other.dropped = is_as_good(beginning, other);
+            if !other.dropped {
+                like[kept] = like[at];
+                kept += 1;
+            }
+        }
+        like.truncate(kept);
+        true
     }
 
     fn items_of(&self, beginning: &Beginning) -> Vec<usize> {

@@ -57,6 +57,7 @@ mod inner_overlap;
 mod instance;
 mod join;
 mod join_matrix;
+mod kept_start;
 mod layout;
 mod lazy_relaxation;
 mod meeting;
