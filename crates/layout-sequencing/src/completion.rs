@@ -10,6 +10,7 @@
 //! copy, a few hundred-millionths of the length.
 
 use crate::instance::Instance;
+use crate::longest_parts::LongestParts;
 use traverse_solve::{Budget, Interrupt};
 
 /// The largest table: 20 sections in four poses.
@@ -19,7 +20,7 @@ const MOST_BYTES: usize = 352 << 20;
 pub(crate) const NO_COMPLETION: i64 = i64::MAX / 4;
 
 /// The same in the table: two of them can be added.
-const NONE: i32 = i32::MAX / 2;
+pub(crate) const NONE: i32 = i32::MAX / 2;
 
 /// Least lengths of completions.
 #[derive(Debug)]
@@ -38,7 +39,7 @@ pub(crate) struct Completion {
 /// Counts of what is left, as one number.
 #[derive(Clone, Debug)]
 pub(crate) struct Counts {
-    stride: Vec<usize>,
+    pub(crate) stride: Vec<usize>,
     quantity: Vec<usize>,
     /// Kinds that must be used up before a kind may come.
     before: Vec<Vec<usize>>,
@@ -232,31 +233,5 @@ impl Completion {
             instance.kinds[kind].items.clone().map(move |item| self.length(rest, item))
         });
         begins.min().unwrap_or(NO_COMPLETION)
-    }
-}
-
-/// Of what is left, the part whose chain is longest, and how long: what is noted while a table is filled.
-struct LongestParts {
-    part: Vec<u32>,
-    length: Vec<i32>,
-}
-
-impl LongestParts {
-    fn new(size: usize) -> Self {
-        Self { part: vec![0; size], length: vec![0; size] }
-    }
-
-    /// The least length of a chain through all of a state, or the longest through what one copy less has.
-    fn note(&mut self, counts: &Counts, state: usize, whole: i32) {
-        // What can't be completed is no chain to count on.
-        let whole = if whole == NONE { i32::MIN } else { whole };
-        let mut longest = (whole, state as u32);
-        for kind in (0..counts.stride.len()).filter(|&kind| counts.left(state, kind) > 0) {
-            let less = counts.without(state, kind);
-            if self.length[less] > longest.0 {
-                longest = (self.length[less], self.part[less]);
-            }
-        }
-        (self.length[state], self.part[state]) = longest;
     }
 }
