@@ -15,8 +15,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use traverse_solve::{Budget, Interrupt};
 
-/// What all beginnings together may take.
-const MOST_BYTES: usize = 192 << 20;
+/// What all beginnings together, and tables beyond the first, may take.
+const MOST_BYTES: usize = 544 << 20;
 /// Beginnings with the same copies placed that one is compared with.
 const MOST_COMPARED: usize = 200;
 
@@ -32,7 +32,11 @@ pub(crate) enum Searched {
 struct Search<'a> {
     instance: &'a Instance,
     bounds: BeginningBound<'a>,
+    /// What beginnings may take.
+    most_bytes: usize,
     beginnings: Vec<Beginning>,
+    /// How many of them are dropped.
+    dropped: usize,
     open: BinaryHeap<(Reverse<i64>, usize, u32)>,
     /// By what is left and, where joins are forbidden, what came last.
     like: FxHashMap<(usize, usize), Vec<u32>>,
@@ -46,8 +50,17 @@ pub(crate) fn search(
     budget: &Budget,
 ) -> Result<Searched, Interrupt> {
     let Some(bounds) = BeginningBound::new(instance, tables) else { return Ok(Searched::Part) };
-    let mut search =
-        Search { instance, bounds, beginnings: vec![], open: BinaryHeap::new(), like: FxHashMap::default() };
+    let more_tables: usize = tables.iter().skip(1).map(Completion::bytes).sum();
+    let most_bytes = MOST_BYTES.saturating_sub(more_tables);
+    let mut search = Search {
+        instance,
+        most_bytes,
+        dropped: 0,
+        bounds,
+        beginnings: vec![],
+        open: BinaryHeap::new(),
+        like: FxHashMap::default(),
+    };
     search.run(progress, budget)
 }
 
@@ -55,7 +68,8 @@ impl Search<'_> {
     fn run(&mut self, progress: &mut Progress<'_>, budget: &Budget) -> Result<Searched, Interrupt> {
         let items = self.instance.items.len();
         let front = self.bounds.thicknesses.as_ref().map_or(0, |_| HEIGHTS);
-        let most = MOST_BYTES / (size_of::<Beginning>() + 32 + 8 * (items + front));
+        // A beginning waits, is listed among those like it, and says where each item would stand.
+        let (bytes, bytes_held) = (size_of::<Beginning>() + 32, 8 * (items + front));
         let empty = Beginning {
             before: u32::MAX,
             item: u32::MAX,
@@ -75,7 +89,10 @@ impl Search<'_> {
                 break;
             }
             progress.raise_bound(bound);
-            if progress.is_close_enough() || self.beginnings.len() > most {
+            let held = self.beginnings.len() - self.dropped;
+            if progress.is_close_enough()
+                || self.beginnings.len() * bytes + held * bytes_held > self.most_bytes
+            {
                 return Ok(Searched::Part);
             }
             budget.check(progress.iterations())?;
@@ -199,8 +216,11 @@ impl Search<'_> {
         let mut kept = compared;
         for at in compared..like.len() {
             let other = &mut self.beginnings[like[at] as usize];
-            other.dropped = is_as_good(beginning, other);
-            if !other.dropped {
+            if is_as_good(beginning, other) {
+                // It is never looked at again.
+                (other.dropped, other.next, other.front) = (true, Box::default(), Box::default());
+                self.dropped += 1;
+            } else {
                 like[kept] = like[at];
                 kept += 1;
             }

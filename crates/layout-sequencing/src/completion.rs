@@ -216,6 +216,11 @@ impl Completion {
         }
     }
 
+    /// What the table takes.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.least[..]) + size_of_val(&self.longest_part[..])
+    }
+
     /// What a length may miss, units of the grid.
     pub(crate) fn coarseness(&self, instance: &Instance) -> i64 {
         (self.unit - 1) * (instance.copies as i64 + 1)
