@@ -1,26 +1,24 @@
 //! Search on the true length, to proof: beginnings of layouts, the most promising first.
 //!
-//! A beginning is bounded by tables of completions, by heights where sections slide freely, and by how far right
-//! everything that is left must stand at least. Of two beginnings with the same copies placed, the
+//! Of two beginnings with the same copies placed, the
 //! second is dropped when the first leaves every item that is left at least as far left and is nowhere longer: what
 //! matters of a skyline is where it lets the rest come. The least bound of all open beginnings bounds the layout.
 
-use crate::completion::{Completion, Counts, NO_COMPLETION};
-use crate::height_bound::{heights, least_thickness};
+use crate::beginning::Beginning;
+use crate::beginning_bound::BeginningBound;
+use crate::completion::Completion;
 use crate::instance::{Instance, NOTHING_IN_THE_WAY};
 use crate::progress::Progress;
+use crate::thicknesses::HEIGHTS;
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use traverse_geometry::SlideRule;
 use traverse_solve::{Budget, Interrupt};
 
-/// What all beginnings together may take.
-const MOST_BYTES: usize = 192 << 20;
+/// What all beginnings together, and tables beyond the first, may take.
+const MOST_BYTES: usize = 544 << 20;
 /// Beginnings with the same copies placed that one is compared with.
 const MOST_COMPARED: usize = 200;
-/// Heights at which freely sliding sections are bounded.
-const HEIGHTS: usize = 24;
 
 /// How the search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,35 +29,14 @@ pub(crate) enum Searched {
     Part,
 }
 
-/// The beginning of a layout.
-#[derive(Debug)]
-struct Beginning {
-    before: u32,
-    item: u32,
-    /// What is left.
-    state: usize,
-    end: i64,
-    /// Where each item would stand next.
-    next: Box<[i64]>,
-    /// How far right everything placed reaches at some heights; with the free rule only.
-    front: Box<[i64]>,
-}
-
-/// Thicknesses at some heights.
-struct Thicknesses {
-    /// By item: how far left and right it reaches.
-    borders: Vec<Vec<Option<(i64, i64)>>>,
-    /// By kind: the least in any pose, and a gap.
-    least: Vec<Vec<i64>>,
-    gap: i64,
-}
-
 struct Search<'a> {
     instance: &'a Instance,
-    counts: Counts,
-    tables: &'a [Completion],
-    thicknesses: Option<Thicknesses>,
+    bounds: BeginningBound<'a>,
+    /// What beginnings may take.
+    most_bytes: usize,
     beginnings: Vec<Beginning>,
+    /// How many of them are dropped.
+    dropped: usize,
     open: BinaryHeap<(Reverse<i64>, usize, u32)>,
     /// By what is left and, where joins are forbidden, what came last.
     like: FxHashMap<(usize, usize), Vec<u32>>,
@@ -72,16 +49,14 @@ pub(crate) fn search(
     progress: &mut Progress<'_>,
     budget: &Budget,
 ) -> Result<Searched, Interrupt> {
-    let free = instance.rule == SlideRule::Free;
-    let everything = vec![true; instance.kinds.len()];
-    let Some(counts) = Counts::of(instance, &everything).filter(|_| !tables.is_empty()) else {
-        return Ok(Searched::Part);
-    };
+    let Some(bounds) = BeginningBound::new(instance, tables) else { return Ok(Searched::Part) };
+    let more_tables: usize = tables.iter().skip(1).map(Completion::bytes).sum();
+    let most_bytes = MOST_BYTES.saturating_sub(more_tables);
     let mut search = Search {
         instance,
-        counts,
-        tables,
-        thicknesses: free.then(|| Thicknesses::of(instance)),
+        most_bytes,
+        dropped: 0,
+        bounds,
         beginnings: vec![],
         open: BinaryHeap::new(),
         like: FxHashMap::default(),
@@ -89,36 +64,19 @@ pub(crate) fn search(
     search.run(progress, budget)
 }
 
-impl Thicknesses {
-    fn of(instance: &Instance) -> Self {
-        let heights = heights(instance, HEIGHTS);
-        let borders = |item: usize| {
-            let profile = &instance.items[item].profile;
-            let border = |&y: &f64| {
-                let (right, left) = (profile.right.x(y)?, profile.left.x(y)?);
-                Some((-instance.grid.down(left), instance.grid.down(right)))
-            };
-            heights.iter().map(border).collect()
-        };
-        let least =
-            |kind: usize| heights.iter().map(|&y| least_thickness(instance, kind, y).unwrap_or(0)).collect();
-        Self {
-            borders: (0..instance.items.len()).map(borders).collect(),
-            least: (0..instance.kinds.len()).map(least).collect(),
-            gap: instance.grid.down(instance.gap),
-        }
-    }
-}
-
 impl Search<'_> {
     fn run(&mut self, progress: &mut Progress<'_>, budget: &Budget) -> Result<Searched, Interrupt> {
         let items = self.instance.items.len();
-        let front = self.thicknesses.as_ref().map_or(0, |_| HEIGHTS);
-        let most = MOST_BYTES / (size_of::<Beginning>() + 32 + 8 * (items + front));
+        let front = self.bounds.thicknesses.as_ref().map_or(0, |_| HEIGHTS);
+        // A beginning waits, is listed among those like it, and says where each item would stand.
+        let (bytes, bytes_held) = (size_of::<Beginning>() + 32, 8 * (items + front));
         let empty = Beginning {
             before: u32::MAX,
             item: u32::MAX,
-            state: self.counts.full(),
+            state: self.bounds.counts.full(),
+            part: self.bounds.counts.full(),
+            tightened: true,
+            dropped: false,
             end: 0,
             next: vec![0; items].into_boxed_slice(),
             front: vec![i64::MIN; front].into_boxed_slice(),
@@ -131,12 +89,23 @@ impl Search<'_> {
                 break;
             }
             progress.raise_bound(bound);
-            if progress.is_close_enough() || self.beginnings.len() > most {
+            let held = self.beginnings.len() - self.dropped;
+            if progress.is_close_enough()
+                || self.beginnings.len() * bytes + held * bytes_held > self.most_bytes
+            {
                 return Ok(Searched::Part);
             }
             budget.check(progress.iterations())?;
             progress.add_iterations(1);
-            self.grow(number, placed, progress);
+            if self.beginnings[number as usize].dropped {
+                continue;
+            }
+            let tighter = self.tighten(number);
+            if tighter > bound {
+                self.open.push((Reverse(tighter), placed, number));
+            } else {
+                self.grow((bound, placed, number), progress);
+            }
         }
         if progress.best().is_some() {
             progress.raise_bound_to_what_is_reached();
@@ -144,15 +113,27 @@ impl Search<'_> {
         Ok(Searched::Everything)
     }
 
+    /// A better bound by another part of what is left, sought once for each beginning and only when it is the most
+    /// promising: most never are. 0 when it has been.
+    fn tighten(&mut self, number: u32) -> i64 {
+        let beginning = &mut self.beginnings[number as usize];
+        if std::mem::replace(&mut beginning.tightened, true) {
+            return 0;
+        }
+        let Some((bound, part)) = self.bounds.tightened(beginning) else { return 0 };
+        beginning.part = part;
+        bound
+    }
+
     /// Every beginning that has one section more.
-    fn grow(&mut self, number: u32, placed: usize, progress: &mut Progress<'_>) {
+    fn grow(&mut self, (least, placed, number): (i64, usize, u32), progress: &mut Progress<'_>) {
         let (state, last) = (self.beginnings[number as usize].state, self.beginnings[number as usize].item);
         for kind in 0..self.instance.kinds.len() {
             let joins = match self.instance.items.get(last as usize) {
                 Some(last) => self.instance.may_join(last.kind, kind),
                 None => self.instance.first.is_none_or(|first| first == kind),
             };
-            if !joins || !self.counts.may_come(state, kind) {
+            if !joins || !self.bounds.counts.may_come(state, kind) {
                 continue;
             }
             for item in self.instance.kinds[kind].items.clone() {
@@ -163,8 +144,9 @@ impl Search<'_> {
                     }
                     continue;
                 }
-                let bound = self.bound(&beginning);
-                if !progress.is_reached_by(bound) && self.is_new(&beginning) {
+                // What the beginning's own beginning is bounded by bounds it, too.
+                let bound = self.bounds.bound(&beginning, least);
+                if !progress.is_reached_by(bound) && self.takes_its_place(&beginning) {
                     let fresh = self.beginnings.len() as u32;
                     let like = self.like.entry(self.likeness(&beginning)).or_default();
                     like.push(fresh);
@@ -185,7 +167,7 @@ impl Search<'_> {
             let offset = instance.offset(item, other);
             if offset == NOTHING_IN_THE_WAY { parent.next[other] } else { parent.next[other].max(x + offset) }
         });
-        let front = match &self.thicknesses {
+        let front = match &self.bounds.thicknesses {
             None => Box::default(),
             Some(thicknesses) => {
                 let reached = thicknesses.borders[item].iter().zip(&parent.front);
@@ -194,64 +176,18 @@ impl Search<'_> {
                     .collect()
             }
         };
+        let state = self.bounds.counts.without(parent.state, instance.items[item].kind);
         Beginning {
             before: number,
             item: item as u32,
-            state: self.counts.without(parent.state, instance.items[item].kind),
+            state,
+            part: self.bounds.counts.common(parent.part, state),
+            tightened: false,
+            dropped: false,
             end: parent.end.max(x + instance.items[item].width),
             next: next.collect(),
             front,
         }
-    }
-
-    /// No layout that begins so is shorter.
-    fn bound(&self, beginning: &Beginning) -> i64 {
-        let instance = self.instance;
-        let mut bound = beginning.end.max(self.front_bound(beginning));
-        for kind in 0..instance.kinds.len() {
-            if self.counts.left(beginning.state, kind) > 0 {
-                let items = instance.kinds[kind].items.clone();
-                let nearest = items.map(|item| beginning.next[item] + instance.items[item].width).min();
-                bound = bound.max(nearest.unwrap_or(0));
-            }
-        }
-        for (number, table) in self.tables.iter().enumerate() {
-            let state = table.counts.within(&self.counts, beginning.state);
-            if state > 0 {
-                bound = bound.max(self.table_bound(beginning, table, state, number == 0));
-            }
-        }
-        bound
-    }
-
-    /// By the chain of what is left of a table's kinds.
-    fn table_bound(&self, beginning: &Beginning, table: &Completion, state: usize, neighbours: bool) -> i64 {
-        let instance = self.instance;
-        let last = instance.items[beginning.item as usize].kind;
-        let mut shortest = NO_COMPLETION;
-        for kind in 0..instance.kinds.len() {
-            if !table.counts.may_come(state, kind) || (neighbours && !instance.may_join(last, kind)) {
-                continue;
-            }
-            let rest = table.counts.without(state, kind);
-            for item in instance.kinds[kind].items.clone() {
-                shortest = shortest.min(beginning.next[item].saturating_add(table.length(rest, item)));
-            }
-        }
-        shortest
-    }
-
-    /// At every height what is left stands to the right of what is placed.
-    fn front_bound(&self, beginning: &Beginning) -> i64 {
-        let Some(thicknesses) = &self.thicknesses else { return 0 };
-        let lengths = beginning.front.iter().enumerate().map(|(at, &front)| {
-            let left =
-                |kind: usize| self.counts.left(beginning.state, kind) as i64 * thicknesses.least[kind][at];
-            let rest: i64 = (0..self.instance.kinds.len()).map(left).sum();
-            // The first at a height needs no gap before it.
-            if front == i64::MIN { rest - thicknesses.gap } else { front + rest }
-        });
-        lengths.max().unwrap_or(0)
     }
 
     fn likeness(&self, beginning: &Beginning) -> (usize, usize) {
@@ -260,17 +196,37 @@ impl Search<'_> {
         (beginning.state, last)
     }
 
-    /// Whether no other beginning with the same copies is at least as good throughout.
-    fn is_new(&self, beginning: &Beginning) -> bool {
-        let Some(like) = self.like.get(&self.likeness(beginning)) else { return true };
+    /// Whether no other beginning with the same copies is at least as good throughout. Those that it is as good as
+    /// itself are dropped then: it is put in their place.
+    fn takes_its_place(&mut self, beginning: &Beginning) -> bool {
+        let likeness = self.likeness(beginning);
+        let Some(like) = self.like.get_mut(&likeness) else { return true };
         let instance = self.instance;
         let left: Vec<usize> = (0..instance.items.len())
-            .filter(|&item| self.counts.left(beginning.state, instance.items[item].kind) > 0)
+            .filter(|&item| self.bounds.counts.left(beginning.state, instance.items[item].kind) > 0)
             .collect();
-        !like.iter().rev().take(MOST_COMPARED).any(|&other| {
-            let other = &self.beginnings[other as usize];
-            other.end <= beginning.end && left.iter().all(|&item| other.next[item] <= beginning.next[item])
-        })
+        let is_as_good = |one: &Beginning, other: &Beginning| {
+            one.end <= other.end && left.iter().all(|&item| one.next[item] <= other.next[item])
+        };
+        let compared = like.len().saturating_sub(MOST_COMPARED);
+        let others = &like[compared..];
+        if others.iter().rev().any(|&other| is_as_good(&self.beginnings[other as usize], beginning)) {
+            return false;
+        }
+        let mut kept = compared;
+        for at in compared..like.len() {
+            let other = &mut self.beginnings[like[at] as usize];
+            if is_as_good(beginning, other) {
+                // It is never looked at again.
+                (other.dropped, other.next, other.front) = (true, Box::default(), Box::default());
+                self.dropped += 1;
+            } else {
+                like[kept] = like[at];
+                kept += 1;
+            }
+        }
+        like.truncate(kept);
+        true
     }
 
     fn items_of(&self, beginning: &Beginning) -> Vec<usize> {

@@ -2,13 +2,15 @@
 //! last, filled from nothing left upwards (Held and Karp 1962, over counts). It bounds every completion from below,
 //! poses included, and its last entry bounds the layout: what stands further right is at least that far from what stands
 //! anywhere left of it, so any chain of sections is no longer than the layout. For the same reason a table over *some*
-//! kinds bounds the layout, too, and better where others leave heights uncovered.
+//! kinds bounds the layout, too, and better where others leave heights uncovered. The table over all kinds has every such
+//! chain in it: which part of what is left has the longest one is noted while it is filled.
 //!
-//! Memory is items · Π (quantity + 1) numbers of four bytes, time that times the items. Entries count in a coarser unit
+//! Memory is items · Π (quantity + 1) numbers of four bytes, and two more for each state, time that times the items. Entries count in a coarser unit
 //! where the layout is longer than 2³⁰ units of the grid, rounded down: a bound then misses less than that unit for each
 //! copy, a few hundred-millionths of the length.
 
 use crate::instance::Instance;
+use crate::longest_parts::LongestParts;
 use traverse_solve::{Budget, Interrupt};
 
 /// The largest table: 20 sections in four poses.
@@ -18,7 +20,7 @@ const MOST_BYTES: usize = 352 << 20;
 pub(crate) const NO_COMPLETION: i64 = i64::MAX / 4;
 
 /// The same in the table: two of them can be added.
-const NONE: i32 = i32::MAX / 2;
+pub(crate) const NONE: i32 = i32::MAX / 2;
 
 /// Least lengths of completions.
 #[derive(Debug)]
@@ -29,18 +31,23 @@ pub(crate) struct Completion {
     unit: i64,
     /// From the left edge of the item placed last to the furthest right end.
     least: Vec<i32>,
+    /// By what is left: the part of it whose chain is longest. Empty where entries know of joins that are forbidden:
+    /// between neighbours of a part others may stand.
+    longest_part: Vec<u32>,
 }
 
 /// Counts of what is left, as one number.
 #[derive(Clone, Debug)]
 pub(crate) struct Counts {
-    stride: Vec<usize>,
+    pub(crate) stride: Vec<usize>,
     quantity: Vec<usize>,
     /// Kinds that must be used up before a kind may come.
     before: Vec<Vec<usize>>,
     last: Option<usize>,
     /// Whether every kind is counted.
     whole: bool,
+    /// Whether every kind has one copy: then what is left is a set of bits.
+    single: bool,
     size: usize,
 }
 
@@ -61,7 +68,8 @@ impl Counts {
             before[late].push(early);
         }
         let whole = members.iter().all(|&member| member);
-        Some(Self { stride, quantity, before, last: instance.last, whole, size })
+        let single = quantity.iter().all(|&quantity| quantity == 1);
+        Some(Self { stride, quantity, before, last: instance.last, whole, single, size })
     }
 
     /// All copies of all kinds are left.
@@ -70,7 +78,11 @@ impl Counts {
     }
 
     /// How many copies of a kind are left.
+    #[inline]
     pub(crate) fn left(&self, state: usize, kind: usize) -> usize {
+        if self.single {
+            return usize::from(state & self.stride[kind] != 0);
+        }
         state / self.stride[kind] % (self.quantity[kind] + 1)
     }
 
@@ -83,9 +95,24 @@ impl Counts {
         counted.map(|kind| all.left(state, kind) * self.stride[kind]).sum()
     }
 
+    /// What two states have in common: of each kind the fewer copies.
+    pub(crate) fn common(&self, a: usize, b: usize) -> usize {
+        if self.single {
+            return a & b;
+        }
+        (0..self.stride.len())
+            .map(|kind| self.left(a, kind).min(self.left(b, kind)) * self.stride[kind])
+            .sum()
+    }
+
     /// What is left after one more copy of the kind.
     pub(crate) fn without(&self, state: usize, kind: usize) -> usize {
         state - self.stride[kind]
+    }
+
+    /// What is left when one more copy of the kind is.
+    pub(crate) fn with(&self, state: usize, kind: usize) -> usize {
+        state + self.stride[kind]
     }
 
     /// Whether a copy of the kind may come next.
@@ -108,7 +135,8 @@ impl Completion {
         budget: &Budget,
     ) -> Result<Option<Self>, Interrupt> {
         let items = instance.items.len();
-        let bytes = |counts: &Counts| counts.size.saturating_mul(items).saturating_mul(size_of::<i32>());
+        // Each entry, and for each state which part has the longest chain, and how long.
+        let bytes = |counts: &Counts| counts.size.saturating_mul(items + 2).saturating_mul(size_of::<i32>());
         let Some(counts) = Counts::of(instance, members).filter(|counts| bytes(counts) <= MOST_BYTES) else {
             return Ok(None);
         };
@@ -125,6 +153,7 @@ impl Completion {
         let offsets: Vec<i32> = (0..items * items).map(joined).collect();
         let mut least = vec![NONE; counts.size * items];
         least[..items].copy_from_slice(&widths);
+        let mut parts = (!instance.forbids_joins()).then(|| LongestParts::new(counts.size));
         // The length from an item on that may come next.
         let mut next = vec![NONE; items];
         for state in 1..counts.size {
@@ -136,6 +165,9 @@ impl Completion {
                 let own = instance.kinds[kind].items.clone();
                 let rest = counts.without(state, kind) * items;
                 next[own.clone()].copy_from_slice(&least[rest + own.start..rest + own.end]);
+            }
+            if let Some(parts) = &mut parts {
+                parts.note(&counts, state, next.iter().copied().fold(NONE, i32::min));
             }
             for kind in 0..instance.kinds.len() {
                 // What was placed last is not left; what is no member may be placed any time.
@@ -154,7 +186,24 @@ impl Completion {
                 }
             }
         }
-        Ok(Some(Self { counts, items, unit, least }))
+        let longest_part = parts.map_or(vec![], |parts| parts.part);
+        Ok(Some(Self { counts, items, unit, least, longest_part }))
+    }
+
+    /// The part of what is left whose chain is longest. Nothing where only all of it makes a chain.
+    pub(crate) fn longest_part(&self, state: usize) -> Option<usize> {
+        self.longest_part.get(state).map(|&part| part as usize)
+    }
+
+    /// No layout is shorter than the longest chain that leaves out what it may.
+    pub(crate) fn longest_bound(&self, instance: &Instance) -> Option<i64> {
+        let part = self.longest_part(self.counts.full())?;
+        let kinds = (0..instance.kinds.len()).filter(|&kind| self.counts.may_come(part, kind));
+        let begins = kinds.flat_map(|kind| {
+            let rest = self.counts.without(part, kind);
+            instance.kinds[kind].items.clone().map(move |item| self.length(rest, item))
+        });
+        begins.min()
     }
 
     /// From the left edge of `item`, placed last, to the furthest right end when the rest is placed as well as
@@ -165,6 +214,11 @@ impl Completion {
             NONE => NO_COMPLETION,
             entry => i64::from(entry) * self.unit,
         }
+    }
+
+    /// What the table takes.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.least[..]) + size_of_val(&self.longest_part[..])
     }
 
     /// What a length may miss, units of the grid.

@@ -37,7 +37,7 @@ pub(crate) struct Item {
 }
 
 /// A layout as searches see it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Instance {
     pub(crate) rule: SlideRule,
     pub(crate) grid: Grid,

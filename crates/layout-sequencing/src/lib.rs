@@ -42,6 +42,8 @@
 
 mod allowed_order;
 mod answer;
+mod beginning;
+mod beginning_bound;
 mod best_first;
 mod certificate;
 mod chain_bound;
@@ -57,8 +59,10 @@ mod inner_overlap;
 mod instance;
 mod join;
 mod join_matrix;
+mod kept_start;
 mod layout;
 mod lazy_relaxation;
+mod longest_parts;
 mod meeting;
 mod moves;
 mod neighbours;
@@ -79,6 +83,7 @@ mod published_order;
 mod relaxation;
 mod sampled_borders;
 mod sequence;
+mod thicknesses;
 
 pub use answer::{Ending, LayoutAnswer, LayoutPlan};
 pub use certificate::{BoundCertificate, JoinDuals};

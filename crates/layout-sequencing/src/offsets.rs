@@ -3,8 +3,8 @@
 
 use crate::grid::Grid;
 use crate::instance::{Item, grid_offset};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use traverse_solve::{Budget, Interrupt};
 
 /// The most items whose offsets are all kept: 50 MB.
@@ -13,16 +13,16 @@ const MOST_ITEMS: usize = 2_500;
 const MOST_WORK: usize = 2_000_000_000;
 
 /// Offsets of items.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Offsets {
     /// Row by row; empty when each is computed on demand.
-    kept: Vec<i64>,
+    kept: Arc<[i64]>,
 }
 
 impl Offsets {
     /// Each is computed when it is asked for.
     pub(crate) fn computed() -> Self {
-        Self { kept: vec![] }
+        Self { kept: Arc::default() }
     }
 
     /// All of them if they are few enough, on `threads` threads.
@@ -37,7 +37,7 @@ impl Offsets {
                 *offset = grid_offset(&items[left].profile, &right.profile, grid);
             }
         };
-        Ok(Self { kept: filled(count, 0, threads, budget, row)? })
+        Ok(Self { kept: filled(count, 0, threads, budget, row)?.into() })
     }
 
     pub(crate) fn are_kept(&self) -> bool {

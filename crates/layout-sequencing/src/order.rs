@@ -15,6 +15,7 @@ use crate::findings::layout_findings;
 use crate::height_bound::height_bound;
 use crate::improvement::Improvement;
 use crate::instance::Instance;
+use crate::kept_start::improve_kept;
 use crate::layout::{bounding_box_length_mm, contacts_by, layout_length_mm, published_length_mm};
 use crate::options::{Algorithm, ContactList, EffectModel, OrderOptions};
 use crate::places::Places;
@@ -24,7 +25,7 @@ use crate::pose_prices::order_at_prices;
 use crate::progress::Progress;
 use crate::published_order::order_as_published;
 use crate::relaxation::{Relaxed, relax};
-use traverse_geometry::{Finding, PlacedSection, SectionLayout};
+use traverse_geometry::{Finding, PlacedSection, SectionLayout, SlideRule};
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// What of the budget all offsets may take; beyond it each is computed when it is asked for.
@@ -39,7 +40,10 @@ const PRICES_SHARE: f64 = 0.2;
 /// take in turn.
 const CHAIN_SHARE: f64 = 0.1;
 const TABLE_SHARE: f64 = 0.4;
-const PROOF_SHARE: f64 = 0.6;
+const PROOF_SHARE: f64 = 0.7;
+
+/// What of what is left then local search may take that keeps the order of sections that slide freely.
+const KEPT_SHARE: f64 = 0.3;
 
 /// Rounds of local search without a better layout after which it rests, where nothing limits it.
 const PATIENCE: u32 = 4;
@@ -256,6 +260,7 @@ impl Order<'_> {
         if let Some(ending) = self.prove()? {
             return Ok(ending);
         }
+        self.improve_kept()?;
         let limited = self.budget.deadline.is_some() || self.budget.iterations.is_some();
         let mut idle = 0;
         loop {
@@ -274,33 +279,38 @@ impl Order<'_> {
         }
     }
 
+    /// Where sections slide freely: what an order is good for while it is kept is a start.
+    fn improve_kept(&mut self) -> Result<(), Interrupt> {
+        let instance = self.instance;
+        let Some((items, _)) = self.progress.best() else { return Ok(()) };
+        if instance.rule == SlideRule::KeepOrder || !instance.has_all_offsets() {
+            return Ok(());
+        }
+        let items = items.to_vec();
+        let share = self.budget.share(KEPT_SHARE, self.progress.iterations());
+        match improve_kept(instance, &items, self.options.seed.part(3), &share) {
+            Ok((items, iterations)) => {
+                self.progress.add_iterations(iterations);
+                self.place_and_offer(&items)
+            }
+            // Its share is used up; what follows has its own.
+            Err(_) => self.budget.check(self.progress.iterations()),
+        }
+    }
+
     /// The search that proves, where the layout is for it. An ending when everything is decided.
     fn prove(&mut self) -> Result<Option<Ending>, Interrupt> {
         let instance = self.instance;
         if !instance.has_all_offsets() {
             return Ok(None);
         }
-        let share = self.budget.share(CHAIN_SHARE, self.progress.iterations());
-        let chain = chain_bound(instance, self.options.seed, &mut self.progress, &share);
+        let tables = self.tables();
         if self.progress.is_close_enough() {
             return Ok(Some(self.close_ending()));
         }
-        let share = Budget { iterations: None, ..self.budget.share(TABLE_SHARE, 0) };
-        let longest = self.progress.upper().min(instance.sum_of_reaches());
-        let everything = vec![true; instance.kinds.len()];
-        let mut tables = vec![];
-        for members in [Some(everything), chain].into_iter().flatten() {
-            let Ok(Some(table)) = Completion::of(instance, &members, longest, &share) else { break };
-            let bound = table.bound(instance);
-            self.progress.count_coarsely(table.coarseness(instance));
-            if bound >= NO_COMPLETION && self.progress.best().is_none() {
-                return Ok(Some(Ending::ProvenInfeasible));
-            }
-            self.progress.raise_bound(bound);
-            if self.progress.is_close_enough() {
-                return Ok(Some(self.close_ending()));
-            }
-            tables.push(table);
+        if tables.iter().any(|table| table.bound(instance) >= NO_COMPLETION) && self.progress.best().is_none()
+        {
+            return Ok(Some(Ending::ProvenInfeasible));
         }
         let done = self.progress.iterations();
         let mut share = self.budget.share(PROOF_SHARE, done);
@@ -312,6 +322,40 @@ impl Order<'_> {
             Ok(Searched::Everything) => Some(Ending::ProvenOptimal),
             Ok(Searched::Part) | Err(_) => None,
         })
+    }
+
+    /// Tables of completions, that of all kinds first, their bounds told. With joins that are forbidden, and where
+    /// no table fits, chains that leave sections out are sought by themselves.
+    fn tables(&mut self) -> Vec<Completion> {
+        let instance = self.instance;
+        let mut tables = vec![];
+        let everything = vec![true; instance.kinds.len()];
+        self.add_table(&everything, &mut tables);
+        let has_parts = tables.iter().any(|table| table.longest_part(0).is_some());
+        if has_parts || self.progress.is_close_enough() {
+            return tables;
+        }
+        let share = self.budget.share(CHAIN_SHARE, self.progress.iterations());
+        let chain = chain_bound(instance, self.options.seed, &mut self.progress, &share);
+        if let Some(members) = chain.filter(|_| !tables.is_empty() && !self.progress.is_close_enough()) {
+            self.add_table(&members, &mut tables);
+        }
+        tables
+    }
+
+    fn add_table(&mut self, members: &[bool], tables: &mut Vec<Completion>) {
+        let instance = self.instance;
+        let share = Budget { iterations: None, ..self.budget.share(TABLE_SHARE, 0) };
+        let longest = self.progress.upper().min(instance.sum_of_reaches());
+        let Ok(Some(table)) = Completion::of(instance, members, longest, &share) else { return };
+        self.progress.count_coarsely(table.coarseness(instance));
+        for bound in [Some(table.bound(instance)), table.longest_bound(instance)].into_iter().flatten() {
+            // That nothing is allowed is no bound.
+            if bound < NO_COMPLETION {
+                self.progress.raise_bound(bound);
+            }
+        }
+        tables.push(table);
     }
 
     fn close_ending(&self) -> Ending {
