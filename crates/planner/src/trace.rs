@@ -11,18 +11,29 @@ const SHORTEST_LINE_MM: f64 = 1e-9;
 /// The path that a route answers with. Costs the route's cost, but for rounding.
 pub(crate) fn trace(route: &Route, start: Point, target: Point) -> Path {
     let mut path = Path::at(start);
-    for stop in &route.stops {
+    for (i, stop) in route.stops.iter().enumerate() {
         let feature = &stop.circle;
         if feature.price_radius == 0.0 {
             path.line_to(feature.center);
             continue;
         }
-        let arrival = feature.center + stop.spoke_in * feature.price_radius;
+        let [mut arrival, departure] =
+            [stop.spoke_in, stop.spoke_out].map(|spoke| feature.center + spoke * feature.price_radius);
+        if stop.turned == 0.0 {
+            // It leaves where it arrives. From or to a point that nearly lies on the circle one direction is known badly, and
+            // would lead there and back.
+            let next = route.stops.get(i + 1);
+            let next =
+                next.map_or(target, |next| next.circle.center + next.spoke_in * next.circle.price_radius);
+            let by = |place: Point| (place - path.end()).norm() + (next - place).norm();
+            if by(departure) < by(arrival) {
+                arrival = departure;
+            }
+        }
         if (arrival - path.end()).norm() > SHORTEST_LINE_MM {
             path.line_to(arrival);
         }
         if stop.turned * feature.price_radius > SHORTEST_ARC_MM {
-            let departure = feature.center + stop.spoke_out * feature.price_radius;
             path.arc_to(departure, feature.center, stop.turned * stop.side.sign());
         }
     }

@@ -10,7 +10,7 @@ mod support;
 
 use rand::RngExt;
 use support::{assert_close, assert_sound, disc, mitred, point, query, scene, stars};
-use traverse_geometry::{Obstacle, Polygon, Scene};
+use traverse_geometry::{Obstacle, Polygon, Ring, Scene};
 use traverse_planner::{Answer, PreparedScene, plan_rapid_move};
 use traverse_solve::{Budget, Seed, Silent};
 
@@ -156,4 +156,46 @@ fn an_obstacle_that_is_not_there_can_not_be_removed() {
     let refusal = prepared.remove_obstacle("vise").unwrap_err();
     assert_eq!(refusal.to_string(), "there is no obstacle \"vise\" to remove");
     assert_same(&mut prepared, &scene([], 0.0), (0.0, 0.0), (3.0, 4.0), "an empty scene");
+}
+
+/// At clearance 0 a corner where an arc ends lies on that arc's circle but for rounding, and a place off the border stands
+/// for it: which way round the arc is dearer, and where a tangent touches it, hangs on rounding.
+#[test]
+fn ways_from_and_to_the_ends_of_arcs() {
+    let mut plans = 0;
+    for seed in 0..700 {
+        let mut random = Seed(seed).stream();
+        let far = if random.random_bool(0.3) { 20_000.0 } else { 0.0 };
+        let middle = point(far, -far);
+        let corners = random.random_range(3..9);
+        let radius = random.random_range(5.0..30.0);
+        let step = std::f64::consts::TAU / f64::from(corners);
+        let points = (0..corners).map(|i| {
+            middle + traverse_geometry::unit(step * f64::from(i)) * radius * random.random_range(0.6..1.0)
+        });
+        let points: Vec<_> = points.collect();
+        let bulge = |_| random.random_range(-0.2..0.5) * f64::from(random.random_range(0..4).min(1));
+        let bulges = (0..corners).map(bulge).collect();
+        let Ok(ring) = Ring::new(points, bulges) else { continue };
+        let ring = if random.random_bool(0.5) { ring.reversed() } else { ring };
+        let fresh = scene([Polygon::from_ring(ring.clone())], 0.0);
+        let mut prepared = PreparedScene::new(fresh.clone(), &Budget::unlimited()).unwrap();
+        for &corner in ring.vertices() {
+            let mut along = || random.random_range(-40.0..40.0);
+            let away = (middle.x + along(), middle.y + along());
+            let other = ring.vertices()[random.random_range(0..ring.len())];
+            let (corner, other) = ((corner.x, corner.y), (other.x, other.y));
+            for (start, target) in [(corner, away), (away, corner), (corner, other)] {
+                assert_same(
+                    &mut prepared,
+                    &fresh,
+                    start,
+                    target,
+                    &format!("seed {seed}: {start:?} {target:?}"),
+                );
+                plans += 1;
+            }
+        }
+    }
+    assert!(plans > 5_000, "{plans}");
 }

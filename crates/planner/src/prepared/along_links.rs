@@ -297,7 +297,11 @@ impl<'a> AlongLinks<'a> {
         label.step = Step::FromStart;
         self.room.labels[index as usize] = label;
         if is_whole {
-            self.room.best.improve(feature, side, circle.price_radius, label.offset, label.cost);
+            // Where a place off the border stands for the start, the label's cost counts on its own side of the circle only:
+            // there the way may have begun beyond the offset. Straight to it, it costs what it is worth on either side.
+            let there = self.terrain.spot(feature).at(label.offset);
+            let cost = label.cost.max((there - self.start.point).norm());
+            self.room.best.improve(feature, side, circle.price_radius, label.offset, cost);
         }
         Some(label)
     }

@@ -198,3 +198,92 @@ fn update(
     }
     Ok(true)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::barrier::Clearance;
+    use rand::RngExt;
+    use traverse_geometry::{CornerStyle, Obstacle, Point, Polygon, Ring, Scene, unit};
+    use traverse_solve::{CancelToken, Seed};
+
+    fn shape(random: &mut impl RngExt) -> Polygon {
+        let corners = random.random_range(3..7);
+        let middle = Point::new(random.random_range(0.0..60.0), random.random_range(0.0..60.0));
+        let step = std::f64::consts::TAU / f64::from(corners);
+        let size = random.random_range(2.0..8.0);
+        let at = |i: i32| middle + unit(step * f64::from(i)) * size;
+        Polygon::from_ring(Ring::new((0..corners).map(at).collect(), vec![]).expect("convex"))
+    }
+
+    /// What a sight missed is taken in the next time also when the budget ended while it was worked out.
+    #[test]
+    fn sights_that_were_interrupted_show_what_new_ones_do() {
+        let (mut compared, mut interrupted) = (0, 0);
+        let unlimited = Budget::unlimited();
+        let cancel = CancelToken::new();
+        cancel.cancel();
+        let over = Budget { cancel, ..Budget::unlimited() };
+        for seed in 0..30 {
+            let mut random = Seed(seed).stream();
+            let obstacles = (0..8).map(|i| Obstacle {
+                id: format!("o{i}"),
+                shape: shape(&mut random),
+                clearance_mm: None,
+                top_z_mm: None,
+            });
+            let style = CornerStyle::Round;
+            let scene = Scene {
+                work_area: None,
+                obstacles: obstacles.collect(),
+                clearance_mm: 0.0,
+                work_area_clearance_mm: None,
+                corner_style: style,
+            };
+            let mut terrain = Terrain::new(&scene, &unlimited).expect("no limit");
+            let first = terrain.features.len() as u32;
+            let mut sights = Sights::keeping(LINKS_KEPT);
+            let mut there: Vec<usize> = (0..8).collect();
+            let mut count = there.len();
+            for step in 0..40 {
+                for _ in 0..random.random_range(0..3) {
+                    if random.random_bool(0.5) && there.len() > 4 {
+                        let owner = there.swap_remove(random.random_range(0..there.len()));
+                        terrain.remove(owner);
+                        sights.note(&terrain, owner, EditKind::Removed);
+                    } else {
+                        let owner = count;
+                        count += 1;
+                        let clearance = Clearance { asked: 0.0, style };
+                        terrain.push(&shape(&mut random), clearance, &unlimited).expect("no limit");
+                        sights.note(&terrain, owner, EditKind::Added);
+                        there.push(owner);
+                    }
+                }
+                let mut fresh = Sights::keeping(LINKS_KEPT);
+                for (feature, side) in (0..first).flat_map(|it| [(it, Side::Left), (it, Side::Right)]) {
+                    if !terrain.is_there(feature) || random.random_bool(0.3) {
+                        continue;
+                    }
+                    if random.random_bool(0.3) {
+                        interrupted += u32::from(sights.see(&terrain, feature, side, &over).is_err());
+                        continue;
+                    }
+                    let seen = [&mut sights, &mut fresh].map(|sights| {
+                        sights.see(&terrain, feature, side, &unlimited).expect("no limit");
+                        let links = sights.links(feature, side);
+                        let mut seen: Vec<_> =
+                            links.iter().map(|link| (link.feature(), link.side() as u32)).collect();
+                        seen.sort_unstable();
+                        seen
+                    });
+                    assert_eq!(seen[0], seen[1], "seed {seed} step {step}: {feature} {side:?}");
+                    compared += 1;
+                }
+            }
+            let kept = sights.known.iter().flatten().flatten();
+            assert_eq!(sights.link_count(), kept.map(|kept| kept.sight.links.len()).sum::<usize>());
+        }
+        assert!(compared > 1000 && interrupted > 100, "{compared} {interrupted}");
+    }
+}
