@@ -89,4 +89,9 @@ impl Feature {
     pub(crate) fn plan_point(&self, offset: f64) -> Point {
         self.center + self.direction_at(offset) * self.plan_radius
     }
+
+    /// The point at `offset` that the answered path passes.
+    pub(crate) fn price_point(&self, offset: f64) -> Point {
+        self.center + self.direction_at(offset) * self.price_radius
+    }
 }

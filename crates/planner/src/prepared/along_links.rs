@@ -90,6 +90,8 @@ struct Departure<'a> {
     circle: &'a Feature,
     /// The free stretch of the circle that it is on.
     free: (f64, f64),
+    /// The start, where the label comes straight from it.
+    start: Option<Point>,
 }
 
 impl<'a> AlongLinks<'a> {
@@ -331,9 +333,10 @@ impl<'a> AlongLinks<'a> {
     fn stand(&mut self, index: u32, label: Label) -> Option<Departure<'a>> {
         let (feature, side) = (label.feature(), label.side());
         let circle = self.terrain.feature(feature);
+        let start = (label.step == Step::FromStart).then_some(self.start.point);
         if self.terrain.is_whole(feature) {
             let idle = self.room.best.is_dearer(feature, circle.price_radius, label.offset, label.cost);
-            return (!idle).then_some(Departure { index, label, circle, free: (0.0, circle.sweep) });
+            return (!idle).then_some(Departure { index, label, circle, free: (0.0, circle.sweep), start });
         }
         let stretches = self.terrain.stretches(feature);
         let stretch = stretches.at(label.offset, circle.offset_tolerance())?;
@@ -348,7 +351,7 @@ impl<'a> AlongLinks<'a> {
             return None;
         }
         paid.push(Paid { stretch, offset: label.offset, cost: label.cost });
-        Some(Departure { index, label, circle, free: stretches.free[stretch] })
+        Some(Departure { index, label, circle, free: stretches.free[stretch], start })
     }
 
     /// Opens the target's labels from a departure; free ways are told when it is their turn.
@@ -366,7 +369,13 @@ impl<'a> AlongLinks<'a> {
             let Some(left_at) = departure.leaves_by(&planned) else { continue };
             let rho = circle.price_radius * side.sign();
             let Some(price) = Tangent::between(circle.center, rho, self.target.point, 0.0) else { continue };
-            let cost = departure.cost_at(left_at) + price.length + planned.angle_to(&price) * rho;
+            let along_arc = departure.cost_at(left_at) + price.length + planned.angle_to(&price) * rho;
+            // A target that is priced from a place of its own may be left for before the arc begins: then straight.
+            let cost = if rho == 0.0 {
+                along_arc
+            } else {
+                along_arc.max(label.cost + (self.target.point - circle.price_point(label.offset)).norm())
+            };
             self.open(cost, Label::target(place as u32, departure.index, left_at, cost));
         }
     }
@@ -529,9 +538,17 @@ impl Departure<'_> {
             && left_at <= to + tolerance
     }
 
-    /// What the path costs where it leaves.
+    /// What the path costs where it leaves. A start that is priced from another place than it is planned from may touch the
+    /// circle further on than where it leaves: then it goes straight there.
     fn cost_at(&self, left_at: f64) -> f64 {
-        self.label.cost + self.circle.price_radius * (left_at - self.label.offset) * self.sign()
+        let along_arc =
+            self.label.cost + self.circle.price_radius * (left_at - self.label.offset) * self.sign();
+        match self.start {
+            Some(start) if self.circle.price_radius > 0.0 => {
+                along_arc.max((self.circle.price_point(left_at) - start).norm())
+            }
+            _ => along_arc,
+        }
     }
 }
 
