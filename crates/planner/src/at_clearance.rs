@@ -111,10 +111,13 @@ impl<'a> AtClearance<'a> {
         if self.query.rules.alternative_count > 0 && self.query.algorithm == Algorithm::Exact {
             others = self.alternatives(ends, &run, stats);
         }
+        let by_cost = |a: &AsRun, b: &AsRun| self.cost(&a.path).total_cmp(&self.cost(&b.path));
+        // What costs the same but for rounding was found in any order.
+        others.sort_by(by_cost);
         if let TravelCost::Kinematics(_) = self.query.rules.cost {
             // Which way is the quickest one is not known before it is priced.
             others.push(run);
-            others.sort_by(|a, b| self.cost(&a.path).total_cmp(&self.cost(&b.path)));
+            others.sort_by(by_cost);
             run = others.remove(0);
         }
         let bending = run.found.route.as_ref().map_or_else(Vec::new, |route| self.bending(route));
