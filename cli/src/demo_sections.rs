@@ -90,16 +90,7 @@ fn layout(question: &Question) -> Result<SectionLayout, Failure> {
     if !made.is_complete() {
         return Err(internal(made.report.to_string()));
     }
-    Ok(SectionLayout {
-        sections: made.sections,
-        gap_mm: question.gap_mm,
-        strip_height_mm: None,
-        first: None,
-        last: None,
-        precedences: Vec::new(),
-        forbidden_joins: Vec::new(),
-        slide_rule: SlideRule::KeepOrder,
-    })
+    Ok(SectionLayout { gap_mm: question.gap_mm, ..SectionLayout::new(made.sections) })
 }
 
 fn refused(status: tonic::Status) -> Failure {

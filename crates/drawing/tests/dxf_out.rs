@@ -121,15 +121,6 @@ fn bundled_sections() -> String {
             placed
         })
         .collect();
-    let layout = SectionLayout {
-        sections,
-        gap_mm: 0.0,
-        strip_height_mm: None,
-        first: None,
-        last: None,
-        precedences: Vec::new(),
-        forbidden_joins: Vec::new(),
-        slide_rule: SlideRule::KeepOrder,
-    };
+    let layout = SectionLayout::new(sections);
     write_layout_dxf(&layout, &order).unwrap()
 }

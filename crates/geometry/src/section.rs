@@ -76,6 +76,23 @@ pub struct SectionLayout {
     pub slide_rule: SlideRule,
 }
 
+impl SectionLayout {
+    /// A layout of these sections without a gap, rules for their order, or a strip: each slides as far as the order is kept.
+    #[must_use]
+    pub fn new(sections: Vec<Section>) -> Self {
+        Self {
+            sections,
+            gap_mm: 0.0,
+            strip_height_mm: None,
+            first: None,
+            last: None,
+            precedences: Vec::new(),
+            forbidden_joins: Vec::new(),
+            slide_rule: SlideRule::KeepOrder,
+        }
+    }
+}
+
 /// One copy of a section in a layout.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedSection {

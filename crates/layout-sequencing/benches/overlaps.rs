@@ -179,16 +179,7 @@ fn main() {
         let own = Instant::now();
         let mut chance = Seed(seed).part(number as u64).stream();
         let mut found = Found::default();
-        let mut layout = SectionLayout {
-            sections: sections.clone(),
-            gap_mm: 0.0,
-            strip_height_mm: None,
-            first: None,
-            last: None,
-            precedences: vec![],
-            forbidden_joins: vec![],
-            slide_rule: SlideRule::KeepOrder,
-        };
+        let mut layout = SectionLayout::new(sections.clone());
         let share = layouts * (number + 1) / sets.len() - layouts * number / sets.len();
         (0..share).for_each(|_| found.layout(&mut layout, &mut chance));
         found.print(name, own.elapsed().as_secs_f64());

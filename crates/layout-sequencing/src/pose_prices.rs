@@ -209,16 +209,7 @@ mod tests {
             let quantity = 1 + u32::from(id == 2);
             Section { id: id.to_string(), parts: vec![part], quantity, poses: Pose::ALL[..2].to_vec() }
         };
-        SectionLayout {
-            sections: (0..count).map(&mut section).collect(),
-            gap_mm: 0.0,
-            strip_height_mm: None,
-            first: None,
-            last: None,
-            precedences: vec![],
-            forbidden_joins: vec![],
-            slide_rule: SlideRule::KeepOrder,
-        }
+        SectionLayout::new((0..count).map(&mut section).collect())
     }
 
     #[test]

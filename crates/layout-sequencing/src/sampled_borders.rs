@@ -90,14 +90,8 @@ mod tests {
         let mut chance = Seed(5).stream();
         for gap_mm in [0.0, 3.0] {
             let layout = SectionLayout {
-                sections: (0..30).map(|id| section(id, &mut chance)).collect(),
                 gap_mm,
-                strip_height_mm: None,
-                first: None,
-                last: None,
-                precedences: vec![],
-                forbidden_joins: vec![],
-                slide_rule: SlideRule::KeepOrder,
+                ..SectionLayout::new((0..30).map(|id| section(id, &mut chance)).collect())
             };
             let budget = Budget::unlimited();
             let instance = Instance::of(&layout, 1, &budget).expect("no limit");

@@ -12,11 +12,11 @@
     reason = "a bench stops where it can't go on"
 )]
 
-#[path = "shared/peer.rs"]
+#[path = "common/peer.rs"]
 mod peer;
-#[path = "shared/planned.rs"]
+#[path = "common/planned.rs"]
 mod planned;
-#[path = "shared/scattered.rs"]
+#[path = "common/scattered.rs"]
 mod scattered;
 
 use divan::Bencher;

@@ -28,16 +28,7 @@ pub(crate) fn section(id: &str, parts: Vec<Part>) -> Section {
 }
 
 pub(crate) fn layout(sections: Vec<Section>) -> SectionLayout {
-    SectionLayout {
-        sections,
-        gap_mm: 0.0,
-        strip_height_mm: None,
-        first: None,
-        last: None,
-        precedences: Vec::new(),
-        forbidden_joins: Vec::new(),
-        slide_rule: SlideRule::KeepOrder,
-    }
+    SectionLayout::new(sections)
 }
 
 /// Section, as it was sent, at x.

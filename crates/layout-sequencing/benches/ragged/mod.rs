@@ -27,14 +27,5 @@ pub(crate) fn layout(count: usize, vertices: usize, seed: u64) -> SectionLayout 
         };
         Section { id: number.to_string(), parts: vec![part], quantity: 1, poses: vec![Pose::AsIs] }
     };
-    SectionLayout {
-        sections: (0..count).map(&mut section).collect(),
-        gap_mm: 0.0,
-        strip_height_mm: None,
-        first: None,
-        last: None,
-        precedences: vec![],
-        forbidden_joins: vec![],
-        slide_rule: SlideRule::KeepOrder,
-    }
+    SectionLayout::new((0..count).map(&mut section).collect())
 }

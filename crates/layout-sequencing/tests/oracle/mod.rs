@@ -80,16 +80,7 @@ fn steps(chance: &mut impl Rng) -> Vec<f64> {
 
 /// A layout of sections, kept in order, without a gap.
 pub(crate) fn layout(sections: Vec<Section>) -> SectionLayout {
-    SectionLayout {
-        sections,
-        gap_mm: 0.0,
-        strip_height_mm: None,
-        first: None,
-        last: None,
-        precedences: vec![],
-        forbidden_joins: vec![],
-        slide_rule: SlideRule::KeepOrder,
-    }
+    SectionLayout::new(sections)
 }
 
 /// The outer rings of a section where it stands: left edge of the posed box at `x`.

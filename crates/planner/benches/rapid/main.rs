@@ -16,15 +16,15 @@ mod edits;
 mod memory;
 mod one_obstacle;
 mod one_shot;
-#[path = "../shared/peer.rs"]
+#[path = "../common/peer.rs"]
 mod peer;
-#[path = "../shared/planned.rs"]
+#[path = "../common/planned.rs"]
 mod planned;
 mod prepared;
-#[path = "../shared/scattered.rs"]
+#[path = "../common/scattered.rs"]
 mod scattered;
 mod scene_file;
-#[path = "../shared/timing.rs"]
+#[path = "../common/timing.rs"]
 mod timing;
 
 use std::path::Path;

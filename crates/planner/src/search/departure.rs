@@ -82,6 +82,6 @@ impl Departure {
 }
 
 /// The angle from `a` to `b`, both unit vectors that hardly differ.
-fn small_angle(a: Vector, b: Vector) -> f64 {
+pub(crate) fn small_angle(a: Vector, b: Vector) -> f64 {
     cross(a, b).atan2(a.dot(&b))
 }

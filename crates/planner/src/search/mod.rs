@@ -31,6 +31,7 @@ mod tree;
 pub(crate) use alternatives::{Between, locally_shortest};
 pub(crate) use best::{Best, TURN_TOLERANCE};
 pub(crate) use circles::{Circles, is_same_circle};
+pub(crate) use departure::small_angle;
 pub(crate) use end::End;
 #[cfg(test)]
 pub(crate) use fan::Turn;

@@ -12,6 +12,9 @@
 //! Cost: one look at the target for each label that is looked into, and a few nanoseconds for each link that goes on from
 //! it.
 
+mod departure;
+mod route;
+
 use super::cones::{ConeRoom, Cones};
 use super::growth::Growth;
 use super::horizon::Horizon;
@@ -20,12 +23,13 @@ use super::mesh::Mesh;
 use super::scene::horizon;
 use super::sights::Sights;
 use super::terrain::Terrain;
-use crate::barrier::{Feature, Side};
-use crate::search::{Best, End, Ground, LABEL_LIMIT, Route, Sector, Stop, TURN_TOLERANCE, Tangent};
+use crate::barrier::Side;
+use crate::search::{Best, End, Ground, LABEL_LIMIT, Route, Sector, TURN_TOLERANCE, Tangent};
+use departure::Departure;
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use traverse_geometry::{Point, Vector, cross};
+use traverse_geometry::Point;
 use traverse_solve::{Budget, Interrupt, Observer};
 
 /// So many features are offered to the start before a horizon is worked out.
@@ -80,18 +84,6 @@ pub(super) struct AlongLinks<'a> {
     offered: f64,
     /// No path costs less, millimetres.
     pub(super) lower_bound: f64,
-}
-
-/// A label at a feature, about to leave it.
-#[derive(Clone, Copy)]
-struct Departure<'a> {
-    index: u32,
-    label: Label,
-    circle: &'a Feature,
-    /// The free stretch of the circle that it is on.
-    free: (f64, f64),
-    /// The start, where the label comes straight from it.
-    start: Option<Point>,
 }
 
 impl<'a> AlongLinks<'a> {
@@ -445,114 +437,4 @@ impl<'a> AlongLinks<'a> {
         let label = Label::over(other, departure.label.side(), offset, departure.index, left_at, cost);
         self.open(self.estimate(&label), label);
     }
-
-    /// The way from the start to the target's label `last`.
-    fn route(&self, last: &Label) -> Route {
-        let mut stops = Vec::new();
-        let mut after = *last;
-        while !matches!(after.step, Step::FromStart) {
-            let label = self.room.labels[after.from as usize];
-            let circle = self.terrain.feature(label.feature());
-            let sign = label.side().sign();
-            let spoke = |direction: Option<Vector>, offset: f64| {
-                direction.map_or_else(|| circle.direction_at(offset), |normal| -normal * sign)
-            };
-            let spoke_in = spoke(self.normal_before(&label), label.offset);
-            let spoke_out = spoke(self.normal_before(&after), after.left_at);
-            let in_by = small_angle(circle.direction_at(label.offset), spoke_in);
-            let out_by = small_angle(circle.direction_at(after.left_at), spoke_out);
-            let turned = ((after.left_at - label.offset + out_by - in_by) * sign).max(0.0);
-            stops.push(Stop { circle: *circle, side: label.side(), spoke_in, spoke_out, turned });
-            after = label;
-        }
-        stops.reverse();
-        let places = [self.start.places[after.from as usize], self.target.places[last.place as usize]];
-        Route { cost: last.cost, stops, places }
-    }
-
-    /// Left normal, on the answered path, of the straight move that leads to a label; none where there is none.
-    fn normal_before(&self, label: &Label) -> Option<Vector> {
-        if label.step == Step::Link {
-            let from = &self.room.labels[label.from as usize];
-            let (one, other) = (from.feature(), label.feature());
-            let border =
-                (from.side() == label.side()).then(|| self.terrain.along_border(one, other, label.side()));
-            if let Some(border) = border.flatten() {
-                return Some(border.normal);
-            }
-        }
-        let signed = |label: &Label| {
-            let circle = self.terrain.feature(label.feature());
-            let sign = label.side().sign();
-            (circle.center, circle.plan_radius * sign, circle.price_radius * sign)
-        };
-        let (c2, plan2, price2) = match label.step {
-            Step::ToTarget => (self.target.point, 0.0, 0.0),
-            _ => signed(label),
-        };
-        let before = || &self.room.labels[label.from as usize];
-        let place = || self.target.places[label.place as usize];
-        let (c1, plan1, price1) = match label.step {
-            Step::Over => return None,
-            Step::Guess | Step::Untested | Step::FromStart => (self.start.point, 0.0, 0.0),
-            Step::Link | Step::ToTarget => signed(before()),
-        };
-        let price = Tangent::between(c1, price1, c2, price2).map(|price| price.normal);
-        price.or_else(|| match label.step {
-            Step::Guess | Step::Untested | Step::FromStart => {
-                let from = self.start.places[label.from as usize];
-                Tangent::between(from, 0.0, c2, plan2).map(|planned| planned.normal)
-            }
-            Step::ToTarget => Tangent::between(c1, plan1, place(), 0.0).map(|planned| planned.normal),
-            Step::Link | Step::Over => Tangent::between(c1, plan1, c2, plan2).map(|planned| planned.normal),
-        })
-    }
-}
-
-impl Departure<'_> {
-    fn sign(&self) -> f64 {
-        self.label.side().sign()
-    }
-
-    /// The offset at which `planned` leaves, if the free way along the arc leads there.
-    fn leaves_by(&self, planned: &Tangent) -> Option<f64> {
-        let left_at = self.circle.offset_of(-planned.normal * self.sign(), planned.angle_error)?;
-        self.leaves_along(left_at, planned.angle_error)
-    }
-
-    /// The same for a way of which the offset is known.
-    fn leaves_along(&self, left_at: f64, angle_error: f64) -> Option<f64> {
-        // A turn back by rounding is none.
-        let back = (self.label.offset - left_at) * self.sign();
-        let is_rounding = back > 0.0 && back <= angle_error.max(self.circle.offset_tolerance());
-        let left_at = if is_rounding { self.label.offset } else { left_at };
-        self.reaches(left_at).then_some(left_at)
-    }
-
-    /// Whether `left_at` lies ahead on the same free stretch.
-    fn reaches(&self, left_at: f64) -> bool {
-        let tolerance = self.circle.offset_tolerance();
-        let (from, to) = self.free;
-        (left_at - self.label.offset) * self.sign() >= 0.0
-            && from - tolerance <= left_at
-            && left_at <= to + tolerance
-    }
-
-    /// What the path costs where it leaves. A start that is priced from another place than it is planned from may touch the
-    /// circle further on than where it leaves: then it goes straight there.
-    fn cost_at(&self, left_at: f64) -> f64 {
-        let along_arc =
-            self.label.cost + self.circle.price_radius * (left_at - self.label.offset) * self.sign();
-        match self.start {
-            Some(start) if self.circle.price_radius > 0.0 => {
-                along_arc.max((self.circle.price_point(left_at) - start).norm())
-            }
-            _ => along_arc,
-        }
-    }
-}
-
-/// The angle from `a` to `b`, both unit vectors that hardly differ.
-fn small_angle(a: Vector, b: Vector) -> f64 {
-    cross(a, b).atan2(a.dot(&b))
 }
