@@ -7,7 +7,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use tonic::transport::Channel;
 use traverse_drawing::{ReadOptions, SectionOptions, read_svg, sections_from_drawing};
-use traverse_geometry::{Pose, SectionLayout, SlideRule};
+use traverse_geometry::{Pose, SectionLayout};
 use traverse_layout_sequencing::OrderOptions;
 use traverse_proto::v1::planner_service_client::PlannerServiceClient;
 use traverse_proto::{check_sections_request, order_request, v1};

@@ -11,8 +11,7 @@ use traverse_drawing::{
     WORK_AREA_LAYER, join_loops, read_drawing, read_dxf, sections_from_drawing, write_dxf, write_layout_dxf,
 };
 use traverse_geometry::{
-    CornerStyle, Obstacle, Path, PlacedSection, Point, Polygon, Pose, Ring, Scene, SectionLayout, SlideRule,
-    unit,
+    CornerStyle, Obstacle, Path, PlacedSection, Point, Polygon, Pose, Ring, Scene, SectionLayout, unit,
 };
 
 fn random_path(random: &mut Random, arcs: bool) -> Path {

@@ -63,7 +63,7 @@ impl SampledBorders {
 mod tests {
     use super::*;
     use rand::RngExt;
-    use traverse_geometry::{Part, Point, Polygon, Pose, Ring, Section, SectionLayout, SlideRule};
+    use traverse_geometry::{Part, Point, Polygon, Pose, Ring, Section, SectionLayout};
     use traverse_solve::Seed;
 
     /// A section between a chain up and a chain down, anywhere in height.

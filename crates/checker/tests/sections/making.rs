@@ -2,7 +2,7 @@
 
 use traverse_checker::{SectionsCheck, ViolationReason, check_sections};
 use traverse_geometry::{
-    CONTACT_TOLERANCE_MM, Part, PlacedSection, Point, Polygon, Pose, Ring, Section, SectionLayout, SlideRule,
+    CONTACT_TOLERANCE_MM, Part, PlacedSection, Point, Polygon, Pose, Ring, Section, SectionLayout,
 };
 
 pub(crate) const TOLERANCE: f64 = CONTACT_TOLERANCE_MM;

@@ -1,7 +1,7 @@
 //! Sections with ragged sides, made by chance.
 
 use rand::RngExt;
-use traverse_geometry::{Part, Point, Polygon, Pose, Ring, Section, SectionLayout, SlideRule};
+use traverse_geometry::{Part, Point, Polygon, Pose, Ring, Section, SectionLayout};
 use traverse_solve::Seed;
 
 /// A layout of `count` sections of `vertices` vertices each, 1000 mm high and about 500 mm wide; each side is a chain of

@@ -5,8 +5,8 @@
 
 use rand::{Rng, RngExt};
 use traverse_geometry::{
-    Edge, Motion, Part, PlacedSection, Point, Polygon, Pose, Ring, Section, SectionLayout, Segment,
-    SlideRule, Vector, cross, unit,
+    Edge, Motion, Part, PlacedSection, Point, Polygon, Pose, Ring, Section, SectionLayout, Segment, Vector,
+    cross, unit,
 };
 
 /// Which borders sections of chance have.
