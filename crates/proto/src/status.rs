@@ -94,7 +94,8 @@ impl Refused {
                 "the answer has {bytes} bytes and may have {limit} (GetLimits.message_bytes): ask for less at a time"
             ),
             Self::TimeLimitReached { .. } => {
-                "the time limit was reached before an answer was proven: give rules.options.time_limit or the call's deadline more time, or the scene fewer vertices"
+                "the time limit was reached before an answer was proven: give options.time_limit (rules.options.time_limit of a rapid \
+                 move) or the call's deadline more time, or send fewer vertices"
                     .to_owned()
             }
             Self::SearchTooLarge { .. } => {
@@ -103,7 +104,9 @@ impl Refused {
                     .to_owned()
             }
             Self::IterationLimitReached { .. } => {
-                "the iteration limit was reached before an answer was proven: raise rules.options.iteration_limit".to_owned()
+                "the iteration limit was reached before an answer was proven: raise options.iteration_limit (rules.options.iteration_limit \
+                 of a rapid move)"
+                    .to_owned()
             }
             Self::QueueFull { what, retry_after } => {
                 format!("{what}: try again in {} ms", retry_after.as_millis())
